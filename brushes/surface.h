@@ -1,0 +1,61 @@
+// What a brush sees of the mesh: points and texels of the displaced surface in world space, and its seams.
+// The editor's session implements it over the scene; tests implement it over a plane.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace relievo {
+
+struct SurfacePoint {
+    glm::vec3 position;  // on the displaced surface S, world units
+    glm::vec3 normal;    // unit geometric normal of S, on the side of the base normal
+};
+
+struct SurfaceTexel {
+    std::int32_t x, y;   // texel of the map
+    float distance;      // from the ball's centre to S at the texel's centre, world units
+    glm::vec3 position;  // of S at the texel's centre
+    glm::vec3 normal;    // unit interpolated base normal: the direction in which this texel displaces
+};
+
+// One texel outside an island that must hold the same value as another (exact seams: both sides run along texel
+// rows at one scale, so that equal texels make equal heights under bilinear filtering).
+struct SeamCopy {
+    std::uint32_t gutter;  // texel index y * width + x, owned by no triangle
+    std::uint32_t source;  // texel index of the same surface point in the island across the seam
+};
+
+// One equation "height on side A = height on side B" at a point of a slanted or scaled seam:
+// the sum of weight * texel over the terms must be 0 (four bilinear taps a side, B's weights negative).
+struct SeamEquation {
+    std::uint32_t texel[8];
+    float weight[8];
+};
+
+struct SeamTable {
+    std::vector<SeamCopy> copies;         // sorted by source; a gutter appears once, never as a source
+    std::vector<SeamEquation> equations;  // along every seam that copies cannot make exact
+};
+
+class Surface {
+  public:
+    virtual ~Surface() = default;
+
+    // The point of S at barycentrics (1-b1-b2, b1, b2) of a face. Requires face < face_count().
+    virtual SurfacePoint at(std::uint32_t face, float b1, float b2) const = 0;
+    virtual std::uint32_t face_count() const = 0;
+
+    // Every texel whose centre lies in a triangle's texture footprint and whose point of S is nearer than `radius`
+    // to `centre`, across islands, each once, sorted by (y, x): the same answer on every machine.
+    // Appends nothing for a radius that is not positive and finite. `out` is cleared first.
+    virtual void texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const = 0;
+
+    virtual const SeamTable& seams() const = 0;
+
+    virtual float amplitude() const = 0;  // world units from count 0 to count 65535; may be negative, may be 0
+    virtual float midlevel() const = 0;   // of [0, 1]: the map value that does not displace
+};
+
+}  // namespace relievo

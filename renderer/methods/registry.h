@@ -1,0 +1,34 @@
+// The methods and their parameters as data: menus, the command line's help, tests and comparison read this table.
+// To add a method: shaders/methods/<name>/intersect.glsl, renderer/methods/<name>.cpp, one line in registry.cpp.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace relievo {
+
+struct MethodParameter {
+    std::string_view name, unit, tooltip;
+    double low, high, standard;
+    bool is_switch = false;  // 0 or 1
+};
+
+// Which boxes and per-triangle data a method's rays meet.
+enum class GeometryKind { parallel_prisms, surface_bounds };
+
+struct Method {
+    std::string_view name, title, paper, limits;
+    GeometryKind geometry;
+    bool needs_pyramid;  // min-max pyramid of the map
+    std::span<const MethodParameter> parameters;  // at most 8, passed to the shader in this order
+};
+
+std::span<const Method* const> methods();  // the first is the default
+// Throws std::invalid_argument that lists the known names.
+const Method& find_method(std::string_view name);
+// Every parameter, defaults filled in. std::invalid_argument on an unknown name or a value out of range.
+std::map<std::string, double> resolve_parameters(const Method& method, const std::map<std::string, double>& given);
+
+}  // namespace relievo

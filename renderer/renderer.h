@@ -1,0 +1,129 @@
+// The renderer's public face: upload, render, read back, pick. Everything Vulkan is behind it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+
+namespace relievo {
+
+namespace vulkan {
+class Context;
+}
+
+// A displacement map as the renderer reads it; row 0 is v = 0. The caller keeps the texels alive during the call.
+struct HeightView {
+    int width = 0, height = 0;
+    const std::uint16_t* texels = nullptr;
+};
+
+struct TexelRegion {  // half-open
+    int x0, y0, x1, y1;
+};
+
+struct PixelRect {  // half-open, row 0 at the top of the image
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+enum class TracePath { automatic, ray_query, pipeline };
+
+struct RenderSettings {
+    int width = 512, height = 512;
+    std::string method;                      // empty: the registry's default
+    std::map<std::string, double> parameters;  // of the method; std::invalid_argument on a wrong name or range
+    TracePath path = TracePath::automatic;
+    bool everything = false;  // build all features whether the scene needs them or not (tests compare the images)
+    bool with_aovs = true;    // keep Z, N, Ns, uv, id of the pixel centres
+};
+
+// Milliseconds of wall clock by stage of the last call; 0 where a stage did not run.
+struct UploadStats {
+    double copy_ms = 0;    // texels into the image
+    double bounds_ms = 0;  // height bounds of the touched triangles
+    double refit_ms = 0;   // acceleration structure, only when a triangle's box grew
+    int triangles_touched = 0, triangles_grown = 0;
+};
+
+enum class Layer { beauty, depth, normal, shading_normal, uv, id };
+
+struct PickHit {
+    bool hit = false;
+    std::uint32_t object = 0, face = 0;
+    float b1 = 0, b2 = 0;      // barycentrics of vertices 1 and 2
+    float distance = 0;        // along the unit direction, world units
+    glm::vec3 position{0}, normal{0};  // on S, rebased space; geometric normal
+};
+
+struct Ray {
+    glm::vec3 origin;     // rebased space (world minus Scene::origin)
+    glm::vec3 direction;  // need not be unit
+};
+
+class Renderer {
+  public:
+    // One HeightView per scene object. Throws std::runtime_error on Vulkan failures, std::invalid_argument on a
+    // method or parameter that the registry does not know, or a map larger than the device takes.
+    Renderer(vulkan::Context& context, const Scene& scene, std::span<const HeightView> maps,
+             const RenderSettings& settings);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // Copies texels of the regions into the object's image and keeps its triangles' bounds true. Nothing is rebuilt.
+    UploadStats upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions);
+
+    // Each of these restarts the accumulation of the whole image.
+    void set_camera(const Camera& camera);
+    void set_lights(const std::vector<Light>& lights, const Environment& environment);
+    void set_material(std::size_t object, const Material& material);
+    void set_displacement(std::size_t object, double amplitude, double midlevel);  // new bounds for all triangles
+    void set_method(const std::string& name, const std::map<std::string, double>& parameters);
+    void resize(int width, int height);
+    void restart();                        // forget all samples
+    void restart(const PixelRect& window);  // forget the samples of a window only
+
+    // Adds one sample a pixel inside the window to the accumulation. Returns milliseconds of wall clock.
+    double render(const PixelRect& window);
+    double render();  // the whole image
+    int samples() const;  // whole-image passes since the last restart
+
+    int width() const;
+    int height() const;
+    const Camera& camera() const;
+
+    // Row 0 at the top. beauty: 4 linear floats (average of the samples, alpha = coverage); depth: 1 (infinity where
+    // nothing is hit); normals: 3; uv: 2; id: 1 (object index + 1, 0 where nothing is hit). AOVs come from the pixel
+    // centres and are not jittered.
+    std::vector<float> read_back(Layer layer);
+    // Tone-mapped 8-bit sRGB, 4 channels, row 0 at the top.
+    std::vector<std::uint8_t> read_back_display();
+
+    // First hits of any rays with the displaced surface as uploaded, by the method in use, unjittered.
+    std::vector<PickHit> pick(std::span<const Ray> rays);
+    // The ray through a pixel position (0..width, 0..height; centres at .5).
+    Ray camera_ray(double x_px, double y_px) const;
+
+    // What was built and what was left out, with reasons and bytes (features.h).
+    const struct FeatureReport& features() const;
+
+    // The tone-mapped image for the window: VkImage and VkImageView as opaque handles, layout GENERAL, R8G8B8A8_UNORM
+    // holding sRGB-encoded values, width x height; valid until resize().
+    struct DisplayImage {
+        void* image;
+        int width, height;
+    };
+    DisplayImage display_image() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,60 @@
+// Instance, device and queue: which device is used, by which way of tracing, and why.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace relievo::vulkan {
+
+struct DeviceInfo {
+    std::uint32_t index = 0;
+    std::string name, driver;
+    bool is_cpu = false;
+    bool ray_query = false, ray_pipeline = false;
+    bool usable = false;
+    std::string verdict;  // why it is usable and which path it takes, or what it lacks
+};
+
+struct ContextOptions {
+    std::string device;       // index or part of a name; empty: RELIEVO_DEVICE, else the best (GPU before CPU)
+    bool validation = false;  // also on with RELIEVO_VALIDATION=1; messages are counted, printed to stderr
+    bool for_window = false;  // surface and swapchain extensions
+};
+
+// Never throws for want of a device: an empty list is an answer.
+std::vector<DeviceInfo> list_devices();
+
+class Context {
+  public:
+    // Throws std::runtime_error with one sentence that names the package to install when there is no Vulkan, no
+    // device, or none with ray tracing.
+    explicit Context(const ContextOptions& options);
+    ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    VkInstance instance() const { return instance_; }
+    VkPhysicalDevice physical_device() const { return physical_; }
+    VkDevice device() const { return device_; }
+    VkQueue queue() const { return queue_; }
+    std::uint32_t queue_family() const { return queue_family_; }
+    const DeviceInfo& info() const { return info_; }
+
+    // Messages of the validation layers so far; 0 without validation. Tests fail on any.
+    static int validation_messages();
+
+  private:
+    VkInstance instance_ = VK_NULL_HANDLE;
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    std::uint32_t queue_family_ = 0;
+    DeviceInfo info_;
+};
+
+}  // namespace relievo::vulkan
