@@ -20,11 +20,12 @@ struct SurfaceTexel {
     glm::vec3 normal;    // unit interpolated base normal: the direction in which this texel displaces
 };
 
-// One texel outside an island that must hold the same value as another (exact seams: both sides run along texel
-// rows at one scale, so that equal texels make equal heights under bilinear filtering).
+// One texel that must hold the same value as another. At exact seams (both sides run along texel rows at one scale)
+// the source is the same surface point in the island across the seam; beyond an open border it is the nearest texel
+// inside. Where a seam runs through texel centres, the "gutter" may itself be a border texel of the other island.
 struct SeamCopy {
-    std::uint32_t gutter;  // texel index y * width + x, owned by no triangle
-    std::uint32_t source;  // texel index of the same surface point in the island across the seam
+    std::uint32_t gutter;  // texel index y * width + x
+    std::uint32_t source;  // texel index, owned by a triangle
 };
 
 // One equation "height on side A = height on side B" at a point of a slanted or scaled seam:
@@ -37,6 +38,10 @@ struct SeamEquation {
 struct SeamTable {
     std::vector<SeamCopy> copies;         // sorted by source; a gutter appears once, never as a source
     std::vector<SeamEquation> equations;  // along every seam that copies cannot make exact
+
+    // The texels of `equations` whose centre lies in no triangle, sorted: no brush reaches them, so the sculptor
+    // extends the island to them and lets the equations move them before any texel that a triangle owns.
+    std::vector<std::uint32_t> loose;
 };
 
 class Surface {
