@@ -48,6 +48,8 @@ class Context {
     static int validation_messages();
 
   private:
+    void release();
+
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;

@@ -1,0 +1,67 @@
+// Buffers and images with their memory. Host-visible buffers stay mapped.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "renderer/vulkan/context.h"
+#include "renderer/vulkan/handle.h"
+
+namespace relievo::vulkan {
+
+enum class Access {
+    host,    // mapped and coherent; on the device too where it offers that (all of a CPU's memory, resizable BAR)
+    device,  // device only
+};
+
+class Buffer {
+  public:
+    Buffer() = default;
+    // `bytes` may be 0: a small buffer is made, since descriptors need one. Throws std::runtime_error.
+    Buffer(const Context& context, VkDeviceSize bytes, VkBufferUsageFlags usage, Access access);
+
+    VkBuffer get() const { return buffer_.get(); }
+    VkDeviceSize bytes() const { return bytes_; }
+    VkDeviceAddress address() const { return address_; }
+    void* mapped() const { return mapped_; }
+    template <typename T>
+    T* as() const { return static_cast<T*>(mapped_); }
+
+  private:
+    MemoryHandle memory_;  // declared first, freed last
+    BufferHandle buffer_;
+    VkDeviceSize bytes_ = 0;
+    VkDeviceAddress address_ = 0;
+    void* mapped_ = nullptr;
+};
+
+class Image {
+  public:
+    Image() = default;
+    Image(const Context& context, int width, int height, VkFormat format, VkImageUsageFlags usage);
+
+    VkImage get() const { return image_.get(); }
+    VkImageView view() const { return view_.get(); }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    VkDeviceSize bytes() const { return bytes_; }
+
+    // Records a transition of the whole image with full memory dependencies between the stages.
+    void transition(VkCommandBuffer commands, VkImageLayout from, VkImageLayout to) const;
+
+  private:
+    MemoryHandle memory_;
+    ImageHandle image_;
+    ImageViewHandle view_;
+    int width_ = 0, height_ = 0;
+    VkDeviceSize bytes_ = 0;
+};
+
+// Everything written before is visible to everything after: one barrier, used between passes.
+void memory_barrier(VkCommandBuffer commands);
+
+// Wrap by repeat or clamp; nearest or linear filter.
+SamplerHandle make_sampler(const Context& context, bool clamp, bool linear);
+
+}  // namespace relievo::vulkan

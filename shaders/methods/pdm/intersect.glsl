@@ -1,0 +1,84 @@
+// Projective displacement mapping (paper 002: Hoetzlein 2025, Algorithm 1, sections 4.2 and 5.3).
+//
+// The ray is sampled at a fixed step inside the parallel offset prism; each sample's barycentrics on the offset
+// triangle through it are its projection to the base triangle; the height of the sample over that point is compared
+// with the map. Deviations from the paper:
+//  - barycentrics are three quadratics and one reciprocal instead of five dot products (geometry/prism.glsl);
+//  - the height |s - p| is w sqrt(1 + |sum b_i shift_i|^2), signed, so that midlevel carves and raises;
+//  - the entry itself is sampled before the (jittered) first step and the exit after the last, partial one, so no
+//    crossing between the two ends is skipped;
+//  - the surface has two sides: a ray that runs below it (from inside, or through an open border) hits it from below.
+// As the paper has it, the projection runs along sum b_i N_i/(N_i.Ng), which is not N(b): see DESIGN.md section 1.
+//
+// Parameters: x: dt (fraction of the object's bounding-sphere radius), y: jitter (0 or 1), z: correct_normals (0 or 1).
+const uint kMaxSteps = 16384u;       // a path is cut into at most this many steps, whatever dt says
+const float kSideMargin = 1e-5f;     // of the base area: how far neighbouring prisms overlap
+const float kInsideMargin = -1e-4f;  // least barycentric of a sample that counts
+
+FUNC float pdm_gap(Primitive p, ObjectData ob, PrismRay r, float tau, OUT(vec3) b) {
+    b = prism_barycentrics(r, tau);
+    vec2 shift = p.shift0 * b.x + p.shift1 * b.y + p.shift2 * b.z;
+    float height = (r.w0 + r.wd * tau) * sqrt(1.0f + dot(shift, shift));
+    vec2 tx = p.tx0 * b.x + p.tx1 * b.y + p.tx2 * b.z;
+    return height - ob.amplitude * (map_value(p.object, primitive_base(p.base), tx) - ob.midlevel);
+}
+
+// First hit in [t_min, t_max] that is not a hole of the opacity map. `random` in [0, 1).
+FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o, vec3 d, float t_min, float t_max,
+                            float random, OUT(SurfaceHit) hit) {
+    PrismRay r;
+    hit.t = t_max;
+    hit.b = vec2(0.0f, 0.0f);
+    if (!enter_prism(p, o, d, t_min, t_max, kSideMargin, r)) return false;
+    float span = r.high - r.low;
+    float step_length = max(parameters.x * ob.radius, span / float(kMaxSteps - 2u));
+    vec3 b;
+    float tau = r.low;
+    float gap = pdm_gap(p, ob, r, tau, b);
+    float side = gap > 0.0f ? 1.0f : -1.0f;
+    if (gap < 0.0f && !r.from_inside && !(r.wd > 0.0f && !r.from_side)) {
+        // Below the surface right at the entry: neighbouring prisms do not quite agree (the known flaw), so this is
+        // their crack, and it is closed here; unless the edge is the mesh's border, where one looks underneath.
+        bool open = r.from_side && (p.flags & (kPrimitiveOpenEdge0 << r.entry_edge)) != 0u;
+        float crack = step_length + 0.1f * max(abs(p.w_low), abs(p.w_high));
+        if (!open && -gap <= crack && opaque_at(p, vec2(b.y, b.z))) {
+            hit.t = r.t0 + tau;
+            hit.b = vec2(b.y, b.z);
+            return true;
+        }
+    }
+    float next = tau + (parameters.y > 0.5f ? max(random, 1e-3f) * step_length : step_length);
+    bool known = b.x >= kInsideMargin && b.y >= kInsideMargin && b.z >= kInsideMargin;
+    for (uint i = 0u; i < kMaxSteps; ++i) {
+        float end = min(next, r.high);
+        float previous = gap, from = tau;
+        gap = pdm_gap(p, ob, r, end, b);
+        tau = end;
+        bool inside = b.x >= kInsideMargin && b.y >= kInsideMargin && b.z >= kInsideMargin;
+        if (inside && known && gap * side <= 0.0f && previous != gap) {
+            float crossing = from + (end - from) * clamp(previous / (previous - gap), 0.0f, 1.0f);
+            vec3 at = prism_barycentrics(r, crossing);
+            if (opaque_at(p, vec2(at.y, at.z))) {
+                hit.t = r.t0 + crossing;
+                hit.b = vec2(at.y, at.z);
+                return hit.t >= t_min && hit.t <= t_max;
+            }
+        }
+        side = gap > 0.0f ? 1.0f : -1.0f;
+        known = inside;
+        if (!(end < r.high)) break;
+        next = end + step_length;
+    }
+    return false;
+}
+
+// Displaced normal as Algorithm 1 makes it: differentials of P + D N' with N' held, over half a texel to either side,
+// and the correction of section 5.1, N' for Ng, as a switch.
+FUNC vec3 shading_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec4 parameters, vec2 b) {
+    vec3 smooth_n = normalize(base_normal(n, b));
+    vec2 g = smooth_gradient(p.object, primitive_base(p.base), texel_at(p, b)) * ob.amplitude;
+    vec3 s1 = base_edge1(p) + smooth_n * dot(g, p.tx1 - p.tx0);
+    vec3 s2 = base_edge2(p) + smooth_n * dot(g, p.tx2 - p.tx0);
+    vec3 displaced = normalize(cross(s1, s2));
+    return parameters.z > 0.5f ? normalize(displaced - p.ng + smooth_n) : displaced;
+}

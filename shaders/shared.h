@@ -1,0 +1,157 @@
+// Structs and bindings that C++ and GLSL share. Scalar block layout; the sizes are asserted at the end.
+// Spaces: "world" is rebased world space (world minus Scene::origin); "frame" is the triangle's own: x along the first
+// edge P1 - P0, y = ng x tangent, w along the geometric normal ng, origin at P0.
+#ifndef RELIEVO_SHARED_H
+#define RELIEVO_SHARED_H
+
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+namespace relievo::gpu {
+using glm::ivec2;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using uint = std::uint32_t;
+#define RELIEVO_CONST constexpr
+#else
+#define RELIEVO_CONST const
+#endif
+
+// One base triangle as rays meet it: its parallel offset prism (paper 002 section 4) and its texture footprint.
+// The vertex i of the offset triangle at height w is q_i + w * shift_i in the frame's plane, with q_0 = 0.
+struct Primitive {
+    vec3 origin;   // P0, world
+    float w_low;   // the surface of this triangle lies between w_low and w_high along ng, world units
+    vec3 tangent;  // unit
+    float w_high;
+    vec3 ng;       // unit geometric normal
+    float q1x;     // P1 = (q1x, 0), q1x > 0
+    vec2 q2;       // P2
+    vec2 shift0, shift1, shift2;  // lateral part of N_i / (N_i.ng): m_i = ng + shift_i
+    vec2 tx0, tx1, tx2;  // texel coordinates uv * size - 1/2, relative to the integer `base`
+    uint base;           // base texel, x in the low and y in the high 16 bits, already wrapped
+    uint face;           // of the object's base mesh
+    uint object;
+    uint flags;          // kPrimitive*
+};
+RELIEVO_CONST uint kPrimitiveOpenEdge0 = 1u;  // bit i: the edge opposite vertex i belongs to this triangle alone
+RELIEVO_CONST uint kPrimitiveFolded = 8u;     // the offset triangle turns over between w_low and w_high
+
+// What only a hit needs.
+struct PrimitiveNormals {
+    vec3 n0, n1, n2;  // unit vertex normals, world
+};
+
+struct ObjectData {
+    float amplitude;  // world units from map value 0 to 1
+    float midlevel;   // [0, 1]
+    ivec2 map_size;   // texels
+    vec3 albedo;      // linear
+    float roughness;  // [0.02, 1]
+    float specular;   // reflectance at normal incidence
+    float radius;     // bounding sphere of the base mesh, world units: the unit of dt
+    uint clamp_wrap;  // 1: clamp, 0: repeat
+    uint pad;
+};
+
+struct LightData {
+    vec3 position;   // sun: unit direction towards the sun; point: world
+    float size;      // sun: tangent of the angular radius; point: sphere radius, world units
+    vec3 radiance;   // sun: irradiance; point: radiant intensity
+    uint is_point;
+};
+RELIEVO_CONST uint kMaxLights = 8u;
+
+struct FrameData {
+    vec3 eye;        // world
+    float spare0;
+    vec3 right;      // half the image's width at distance 1
+    float spare1;
+    vec3 up;         // half the image's height at distance 1
+    float spare2;
+    vec3 forward;    // unit
+    float spare3;
+    vec3 zenith;     // sky, linear radiance
+    uint light_count;
+    vec3 horizon;
+    uint object_count;
+    vec3 ground;
+    float ray_offset;  // world units: secondary rays start this far along the normal
+    ivec2 size;        // image, pixels
+    ivec2 spare4;
+    vec4 parameters0, parameters1;  // of the method, in the registry's order
+    LightData lights[8];
+};
+
+struct PushData {
+    ivec2 offset;       // of the window, pixels
+    ivec2 extent;
+    uint sample_index;  // seeds the sampling; 0 for the first
+    uint preview;       // 1: shadows of lights only, shown until the first real sample
+    uint ray_count;     // pick: rays in the buffer
+    uint spare;
+};
+
+struct PickRay {
+    vec3 origin;
+    float t_max;
+    vec3 direction;  // unit
+    float spare;
+};
+
+struct PickResult {
+    float t;  // negative: no hit
+    uint object, face;
+    float b1, b2;
+    vec3 normal;  // geometric, of S
+};
+
+struct AovPixel {
+    float depth;  // along the unit ray; infinity where nothing is hit
+    vec3 normal, shading_normal;
+    vec2 uv;
+    float id;  // object index + 1; 0: nothing
+};
+
+RELIEVO_CONST uint kBindTlas = 0u;
+RELIEVO_CONST uint kBindFrame = 1u;
+RELIEVO_CONST uint kBindPrimitives = 2u;
+RELIEVO_CONST uint kBindNormals = 3u;
+RELIEVO_CONST uint kBindObjects = 4u;
+RELIEVO_CONST uint kBindAccumulation = 5u;  // vec4 a pixel: sum of radiance, sum of coverage
+RELIEVO_CONST uint kBindCounts = 6u;        // uint a pixel: samples in the sum
+RELIEVO_CONST uint kBindDisplay = 7u;       // rgba8 storage image
+RELIEVO_CONST uint kBindAov = 8u;
+RELIEVO_CONST uint kBindPickRays = 9u;
+RELIEVO_CONST uint kBindPickResults = 10u;
+RELIEVO_CONST uint kBindMaps = 11u;     // combined image samplers, one an object
+RELIEVO_CONST uint kBindOpacity = 12u;  // likewise
+RELIEVO_CONST uint kBindCount = 13u;
+
+// Specialisation constants: what features.cpp derived.
+RELIEVO_CONST uint kSpecObjects = 0u;   // number of objects; 1 spares the indexing of textures
+RELIEVO_CONST uint kSpecShadows = 1u;
+RELIEVO_CONST uint kSpecOpacity = 2u;
+RELIEVO_CONST uint kSpecGloss = 3u;
+RELIEVO_CONST uint kSpecSky = 4u;       // sky light with visibility rays
+RELIEVO_CONST uint kSpecCount = 5u;
+
+RELIEVO_CONST uint kGroupWidth = 8u;  // pixels a side of a compute workgroup
+
+#ifdef __cplusplus
+static_assert(sizeof(Primitive) == 120);
+static_assert(sizeof(PrimitiveNormals) == 36);
+static_assert(sizeof(ObjectData) == 48);
+static_assert(sizeof(LightData) == 32);
+static_assert(sizeof(FrameData) == 160 + 8 * 32);
+static_assert(sizeof(PushData) == 32);
+static_assert(sizeof(PickRay) == 32);
+static_assert(sizeof(PickResult) == 32);
+static_assert(sizeof(AovPixel) == 40);
+}  // namespace relievo::gpu
+#endif
+
+#endif

@@ -1,0 +1,51 @@
+// One sample a pixel of the window: traced, shaded, added to the accumulation, tone mapped for display.
+#include "camera.glsl"
+#include "shade.glsl"
+
+layout(set = 0, binding = kBindAccumulation, scalar) buffer AccumulationBlock { vec4 accumulation[]; };
+layout(set = 0, binding = kBindCounts, scalar) buffer CountBlock { uint counts[]; };
+layout(set = 0, binding = kBindDisplay, rgba8) uniform writeonly image2D display;
+
+vec3 tone_map(vec3 c) {  // Narkowicz 2015, a fit of the ACES reference transform; then sRGB
+    c *= 0.8;
+    c = clamp(c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14), 0.0, 1.0);
+    return mix(12.92 * c, 1.055 * pow(max(c, vec3(1e-8)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+vec4 radiance_along(vec3 d, uint pixel, bool preview) {
+    TraceHit h = trace_ray(frame.eye, d, 0.0, kFar, false, pixel);
+    if (h.primitive == kNoHit) return vec4(sky_radiance(d), 0.0);
+    Primitive p = primitives[h.primitive];
+    PrimitiveNormals n = normals[h.primitive];
+    Shading s;
+    s.ob = object_data(p.object);
+    s.point = frame.eye + d * h.t;
+    s.view = -d;
+    s.ng = geometric_normal(p, n, s.ob, h.b);
+    s.ns = shading_normal(p, n, s.ob, frame.parameters0, h.b);
+    // The base normal's side is outside; the inside is lit as seen.
+    if (dot(s.ng, s.view) < 0.0) { s.ng = -s.ng; s.ns = -s.ns; }
+    // A shading normal turned away from the viewer would be black: bend it back.
+    float back = dot(s.ns, s.view);
+    if (back < 0.01) s.ns = normalize(s.ns + s.view * (0.01 - back));
+    s.offset_point = s.point + s.ng * frame.ray_offset;
+    return vec4(shade(s, pixel, preview), 1.0);
+}
+
+void beauty_main(ivec2 local) {
+    ivec2 px = push.offset + local;
+    if (any(greaterThanEqual(local, push.extent)) || any(greaterThanEqual(px, frame.size))) return;
+    uint pixel = pixel_index(px);
+    bool preview = push.preview != 0u;
+    vec2 jitter = preview || push.sample_index == 0u
+                      ? vec2(0.5)
+                      : vec2(random_at(pixel, push.sample_index, 0x50000000u), random_at(pixel, push.sample_index, 0x50000001u));
+    vec4 value = radiance_along(camera_direction(vec2(px) + jitter), pixel, preview);
+    if (any(isnan(value)) || any(isinf(value))) value = vec4(0.0);
+    // A preview never mixes with real samples: the first of those replaces it.
+    uint count = preview ? 0u : counts[pixel];
+    vec4 sum = count == 0u ? value : accumulation[pixel] + value;
+    accumulation[pixel] = sum;
+    counts[pixel] = preview ? 0u : count + 1u;
+    imageStore(display, px, vec4(tone_map(sum.rgb / float(max(count + 1u, 1u))), 1.0));
+}

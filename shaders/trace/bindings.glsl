@@ -1,0 +1,73 @@
+// Descriptors and specialisation constants of every entry point, and the map access that geometry/ asks for.
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_nonuniform_qualifier : require
+#include "../shared.h"
+
+layout(constant_id = 0) const uint kObjects = 1u;
+layout(constant_id = 1) const bool kShadows = true;
+layout(constant_id = 2) const bool kOpacity = true;
+layout(constant_id = 3) const bool kGloss = true;
+layout(constant_id = 4) const bool kSky = true;
+
+layout(set = 0, binding = kBindTlas) uniform accelerationStructureEXT scene_bvh;
+layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { FrameData frame; };
+layout(set = 0, binding = kBindPrimitives, scalar) readonly buffer PrimitiveBlock { Primitive primitives[]; };
+layout(set = 0, binding = kBindNormals, scalar) readonly buffer NormalBlock { PrimitiveNormals normals[]; };
+layout(set = 0, binding = kBindObjects, scalar) readonly buffer ObjectBlock { ObjectData objects[]; };
+layout(set = 0, binding = kBindMaps) uniform sampler2D maps[kObjects];
+layout(set = 0, binding = kBindOpacity) uniform sampler2D opacity_maps[kObjects];
+layout(push_constant, scalar) uniform PushBlock { PushData push; };
+
+ObjectData object_data(uint object) { return objects[kObjects == 1u ? 0u : object]; }
+
+// One gather at the corner that the four texels share: far from any texel's border, so its rounding cannot matter.
+vec4 height_quad(uint object, ivec2 cell) {
+    vec4 g;  // (0,1) (1,1) (1,0) (0,0)
+    if (kObjects == 1u) {
+        g = textureGather(maps[0], vec2(cell + 1) / vec2(objects[0].map_size));
+    } else {
+        g = textureGather(maps[nonuniformEXT(object)], vec2(cell + 1) / vec2(objects[object].map_size));
+    }
+    return vec4(g.w, g.z, g.x, g.y);
+}
+
+#include "../geometry/dialect.glsl"
+#include "../geometry/height.glsl"
+#include "../geometry/surface.glsl"
+#include "../geometry/prism.glsl"
+
+// Texture coordinates of a hit, in the map's own [0, 1) period where it repeats.
+vec2 uv_at(Primitive p, vec2 b) {
+    vec2 texel = vec2(primitive_base(p.base)) + texel_at(p, b) + 0.5;
+    return texel / vec2(object_data(p.object).map_size);
+}
+
+// Under 0.5 the surface has a hole.
+bool opaque_at(Primitive p, vec2 b) {
+    if (!kOpacity) return true;
+    vec2 uv = uv_at(p, b);
+    if (kObjects == 1u) return textureLod(opacity_maps[0], uv, 0.0).r >= 0.5;
+    return textureLod(opacity_maps[nonuniformEXT(p.object)], uv, 0.0).r >= 0.5;
+}
+
+// Counter-based random numbers: hash of what is being sampled, never a running state.
+uint hash3(uvec3 v) {
+    v = v * 1664525u + 1013904223u;  // pcg3d, Jarzynski and Olano 2020
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
+    return v.x;
+}
+float unit_float(uint bits) { return float(bits >> 8u) * (1.0 / 16777216.0); }
+float random_at(uint pixel, uint sample_index, uint dimension) { return unit_float(hash3(uvec3(pixel, sample_index, dimension))); }
+
+uint pixel_index(ivec2 px) { return uint(px.y) * uint(frame.size.x) + uint(px.x); }
+
+struct TraceHit {
+    uint primitive;  // kNoHit: nothing
+    float t;
+    vec2 b;
+};
+const uint kNoHit = 0xffffffffu;
+
+#include "intersect.glsl"  // the method's own: found by the include path of its folder

@@ -1,0 +1,14 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Closest hit of the pipeline path: hands the hit back, all shading is in the caller.
+#extension GL_EXT_ray_tracing : require
+#include "bindings.glsl"
+
+layout(location = 0) rayPayloadInEXT TraceHit payload;
+hitAttributeEXT vec2 attribute_b;
+
+void main() {
+    payload.primitive = uint(gl_PrimitiveID);
+    payload.t = gl_HitTEXT;
+    payload.b = attribute_b;
+}

@@ -1,0 +1,18 @@
+// Tracing by the ray tracing pipeline: for devices without ray query. The intersection shader (hit.rint) calls the
+// same method; the payload brings back what the ray query keeps in variables.
+#extension GL_EXT_ray_tracing : require
+#include "bindings.glsl"
+
+layout(location = 0) rayPayloadEXT TraceHit payload;
+
+TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool any_hit, uint pixel) {
+    payload.primitive = 0u;  // any hit: no hit shader runs, the miss shader alone speaks
+    payload.t = t_max;
+    payload.b = vec2(0.0);
+    uint flags = any_hit ? gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT : gl_RayFlagsNoneEXT;
+    traceRayEXT(scene_bvh, flags, 0xff, 0, 0, 0, origin, t_min, direction, t_max, 0);
+    return payload;
+}
+
+ivec2 invocation_pixel() { return ivec2(gl_LaunchIDEXT.xy); }
+int invocation_index() { return int(gl_LaunchIDEXT.x); }
