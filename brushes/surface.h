@@ -57,6 +57,10 @@ class Surface {
     // Appends nothing for a radius that is not positive and finite. `out` is cleared first.
     virtual void texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const = 0;
 
+    // True where the texel's centre lies in a triangle's texture footprint, that is where texels_in_ball could name
+    // it. As it stands: of a surface that covers its whole map.
+    virtual bool owned(std::uint32_t /*texel*/) const { return true; }
+
     virtual const SeamTable& seams() const = 0;
 
     virtual float amplitude() const = 0;  // world units from count 0 to count 65535; may be negative, may be 0
