@@ -38,10 +38,6 @@ struct SeamEquation {
 struct SeamTable {
     std::vector<SeamCopy> copies;         // sorted by source; a gutter appears once, never as a source
     std::vector<SeamEquation> equations;  // along every seam that copies cannot make exact
-
-    // The texels of `equations` whose centre lies in no triangle, sorted: no brush reaches them, so the sculptor
-    // extends the island to them and lets the equations move them before any texel that a triangle owns.
-    std::vector<std::uint32_t> loose;
 };
 
 class Surface {
@@ -59,7 +55,7 @@ class Surface {
 
     // True where the texel's centre lies in a triangle's texture footprint, that is where texels_in_ball could name
     // it. As it stands: of a surface that covers its whole map.
-    virtual bool owned(std::uint32_t /*texel*/) const { return true; }
+    virtual bool owned(int /*x*/, int /*y*/) const { return true; }
 
     virtual const SeamTable& seams() const = 0;
 
