@@ -1,4 +1,5 @@
-// A scene as its file describes it (DESIGN.md section 6): JSON, "relievo": 1, checked against assets/scene.schema.json.
+// A scene as its file describes it (DESIGN.md section 6): JSON, "relievo": 1, checked against
+// assets/scene.schema.json.
 #pragma once
 
 #include <filesystem>
@@ -19,8 +20,8 @@ enum class NormalSource { file, smooth };
 struct Displacement {
     std::filesystem::path map;  // absolute after loading; empty: a new flat map of map_size at midlevel
     int map_size = 1024;
-    double amplitude = 0.1;     // world units from map value 0 to 1; negative allowed
-    double midlevel = 0.5;      // [0, 1]
+    double amplitude = 0.1;                    // world units from map value 0 to 1; negative allowed
+    double midlevel = 0.5;                     // [0, 1]
     double range_low = 0.0, range_high = 1.0;  // values of a float map that mean 0 and 1
     Wrap wrap = Wrap::repeat;
 };
@@ -67,7 +68,7 @@ struct ImageSettings {
 };
 
 struct MethodChoice {
-    std::string name;                        // empty: the registry's default
+    std::string name;                          // empty: the registry's default
     std::map<std::string, double> parameters;  // checked by the renderer's registry, not here
 };
 
@@ -83,9 +84,10 @@ struct Scene {
     std::vector<std::string> warnings;
 };
 
-// Reads and checks a scene file and its meshes, fills every default (a camera that frames the object, sun and sky).
-// Throws std::invalid_argument naming file and JSON path (for example `scene.json: objects[0].displacement.amplitude:
-// is a string, must be a number`). Unknown keys are errors. Maps are not loaded here; that they exist is checked.
+// Reads and checks a scene file and its meshes, fills every default (a camera that frames the object, sun and
+// sky). Throws std::invalid_argument naming file and JSON path (for example `scene.json:
+// objects[0].displacement.amplitude: is a string, must be a number`). Unknown keys are errors. Maps are not
+// loaded here; that they exist is checked.
 Scene load_scene(const std::filesystem::path& path);
 
 // The camera that frames all objects from the front right above, aspect width / height.
