@@ -1,4 +1,5 @@
-// Brush settings as data: the command line, the panel and the journal read the same table (STYLE.md's habit 5).
+// Brush settings as data: the command line, the panel and the journal read the same table (STYLE.md's habit
+// 5).
 #pragma once
 
 #include <cstdint>
@@ -13,16 +14,17 @@ enum class Falloff : std::uint8_t { smooth, linear, sharp, constant };
 struct Brush {
     Tool tool = Tool::draw;
     Falloff falloff = Falloff::smooth;
-    bool invert = false;         // draw lowers
-    float radius = 0.1f;         // world units, > 0
-    float strength = 0.5f;       // [0, 1]
-    float hardness = 0.0f;       // [0, 1): the inner fraction of the radius at full strength
-    float spacing = 0.15f;       // arc length between dabs as a fraction of the radius, [0.02, 1]
-    float level = 0.5f;          // map value that the level tool moves to, [0, 1]
+    bool invert = false;    // draw lowers
+    float radius = 0.1f;    // world units, > 0
+    float strength = 0.5f;  // [0, 1]; what it means for each tool stands in brushes/dab_tools.h
+    float hardness = 0.0f;  // [0, 1): the inner fraction of the radius at full strength
+    float spacing = 0.15f;  // arc length between dabs as a fraction of the radius, [0.02, 1]
+    float level = 0.5f;     // map value that the level tool moves to, [0, 1]
     bool operator==(const Brush&) const = default;
 };
 
-// One dab as it is journaled: quantised before it is used, so that live stroke and replay consume the same bits.
+// One dab as it is journaled: quantised before it is used, so that live stroke and replay consume the same
+// bits.
 struct Dab {
     std::uint32_t time_us = 0;     // since the stroke began
     std::uint32_t face = 0;        // of the edited object's base mesh
@@ -48,5 +50,8 @@ struct ToolInfo {
 };
 std::span<const ToolInfo> tools();
 std::span<const std::string_view> falloff_names();  // in the order of Falloff
+
+// Throws std::invalid_argument that names the first setting outside its range (NaN included) and the range.
+void check_brush(const Brush& brush);
 
 }  // namespace relievo

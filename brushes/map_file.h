@@ -15,8 +15,8 @@ struct MapRange {
 
 enum class MapFormat { png16, tiff16, exr_half, exr_float };
 
-// What the file held beside the texels, kept for saving: format, metadata, and of a float file the very values, so
-// that a texel that no stroke changed is saved bit for bit. Opaque to everyone but map_file.cpp.
+// What the file held beside the texels, kept for saving: format, metadata, and of a float file the very
+// values, so that a texel that no stroke changed is saved bit for bit. Opaque to everyone but map_file.cpp.
 struct MapOrigin;
 
 struct LoadedMap {
@@ -31,11 +31,13 @@ struct LoadedMap {
 // 8-bit images load with their values widened by 257 (and are saved as 16 bits).
 LoadedMap load_map(const std::filesystem::path& path, MapRange range = {});
 
-// The format that a path's extension names (.png, .tif, .tiff, .exr as float). std::invalid_argument otherwise.
+// The format that a path's extension names (.png, .tif, .tiff, .exr as float). std::invalid_argument
+// otherwise.
 MapFormat format_of(const std::filesystem::path& path);
 
-// Saves atomically: temporary file beside `path`, fsync, rename, fsync of the folder. On any failure (unwritable,
-// disk full) throws std::invalid_argument and the old file stays whole, the temporary one is removed.
+// Saves atomically: temporary file beside `path`, fsync, rename, fsync of the folder. On any failure
+// (unwritable, disk full) throws std::invalid_argument and the old file stays whole, the temporary one is
+// removed.
 void save_map(const HeightMap& map, const std::filesystem::path& path, MapFormat format, MapRange range = {},
               const MapOrigin* origin = nullptr);
 

@@ -13,14 +13,21 @@ namespace relievo {
 
 class Sculptor {
   public:
-    // `map` and `surface` outlive the sculptor. The surface reads the same map. `undo_budget` in bytes: the oldest
-    // steps are dropped when the tiles of undo and redo together exceed it.
+    // `map` and `surface` outlive the sculptor. The surface reads the same map; its seams() are read once,
+    // here. `undo_budget` in bytes: the oldest steps are dropped when the tiles of undo and redo together
+    // exceed it, a step that alone exceeds it included.
     Sculptor(HeightMap& map, const Surface& surface, std::size_t undo_budget = std::size_t{512} << 20);
     ~Sculptor();
 
-    // A stroke: begin, dabs, then end (one undo step) or cancel (leaves no trace). Each call returns the texels that
-    // changed, as few rectangles that do not overlap (islands far apart stay apart). A dab on a face that does not
-    // exist throws std::out_of_range.
+    // A stroke: begin, dabs, then end (one undo step; none if no texel changed) or cancel (leaves no trace).
+    // Each call returns the texels that changed, as few rectangles that do not overlap (islands far apart
+    // stay apart). begin() throws std::invalid_argument on a setting out of range. A dab on a face that does
+    // not exist or at barycentrics outside it throws std::out_of_range and changes nothing. begin, undo and
+    // redo inside a stroke, and dab, end and cancel outside one, throw std::logic_error.
+    //
+    // During a stroke the map is the rounded float state, and seam copies hold after every dab; the equations
+    // of slanted seams are solved by end(), until when their outer texels merely extend the island. Memory of
+    // a stroke: 25 KB for each 64 x 64 tile that it touches.
     void begin(const Brush& brush);
     std::vector<TexelRect> dab(const Dab& dab);
     std::vector<TexelRect> end();
@@ -31,10 +38,11 @@ class Sculptor {
     bool can_redo() const;
     std::vector<TexelRect> undo();  // nothing to undo: empty
     std::vector<TexelRect> redo();
-    std::size_t undo_bytes() const;   // held by undo and redo tiles now
+    std::size_t undo_bytes() const;  // held by undo and redo tiles now
     std::size_t undo_budget() const;
 
-    // Texels at count 0 or 65535 that a stroke tried to push further since begin(): the editor's clip warning.
+    // Texels at count 0 or 65535 that a stroke tried to push further since begin(): the editor's clip
+    // warning.
     std::size_t clipped_texels() const;
 
   private:

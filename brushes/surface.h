@@ -20,9 +20,10 @@ struct SurfaceTexel {
     glm::vec3 normal;    // unit interpolated base normal: the direction in which this texel displaces
 };
 
-// One texel that must hold the same value as another. At exact seams (both sides run along texel rows at one scale)
-// the source is the same surface point in the island across the seam; beyond an open border it is the nearest texel
-// inside. Where a seam runs through texel centres, the "gutter" may itself be a border texel of the other island.
+// One texel that must hold the same value as another. At exact seams (both sides run along texel rows at one
+// scale) the source is the same surface point in the island across the seam; beyond an open border it is the
+// nearest texel inside. Where a seam runs through texel centres, the "gutter" may itself be a border texel of
+// the other island.
 struct SeamCopy {
     std::uint32_t gutter;  // texel index y * width + x
     std::uint32_t source;  // texel index, owned by a triangle
@@ -48,19 +49,20 @@ class Surface {
     virtual SurfacePoint at(std::uint32_t face, float b1, float b2) const = 0;
     virtual std::uint32_t face_count() const = 0;
 
-    // Every texel whose centre lies in a triangle's texture footprint and whose point of S is nearer than `radius`
-    // to `centre`, across islands, each once, sorted by (y, x): the same answer on every machine.
+    // Every texel whose centre lies in a triangle's texture footprint and whose point of S is nearer than
+    // `radius` to `centre`, across islands, each once, sorted by (y, x): the same answer on every machine.
     // Appends nothing for a radius that is not positive and finite. `out` is cleared first.
     virtual void texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const = 0;
 
-    // True where the texel's centre lies in a triangle's texture footprint, that is where texels_in_ball could name
-    // it. As it stands: of a surface that covers its whole map.
+    // True where the texel's centre lies in a triangle's texture footprint, that is where texels_in_ball
+    // could name it. As it stands: of a surface that covers its whole map.
     virtual bool owned(int /*x*/, int /*y*/) const { return true; }
 
     virtual const SeamTable& seams() const = 0;
 
-    virtual float amplitude() const = 0;  // world units from count 0 to count 65535; may be negative, may be 0
-    virtual float midlevel() const = 0;   // of [0, 1]: the map value that does not displace
+    virtual float amplitude()
+        const = 0;                       // world units from count 0 to count 65535; may be negative, may be 0
+    virtual float midlevel() const = 0;  // of [0, 1]: the map value that does not displace
 };
 
 }  // namespace relievo

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace relievo {
 
@@ -19,7 +21,14 @@ struct TexelRect {
                         : TexelRect{std::min(x0, r.x0), std::min(y0, r.y0), std::max(x1, r.x1),
                                     std::max(y1, r.y1)};
     }
+    bool overlaps(const TexelRect& r) const { return x0 < r.x1 && r.x0 < x1 && y0 < r.y1 && r.y0 < y1; }
+    std::int64_t area() const { return empty() ? 0 : std::int64_t{width()} * height(); }
     bool operator==(const TexelRect&) const = default;
 };
+
+// Covers `rects` (none overlapping another) by at most `most` rectangles that do not overlap, merging
+// neighbours where that adds little area, and anything only to keep within `most`. Sorted by (y0, x0); empty
+// ones are dropped.
+std::vector<TexelRect> merge_rects(std::vector<TexelRect> rects, std::size_t most = 64);
 
 }  // namespace relievo

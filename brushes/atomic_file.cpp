@@ -1,0 +1,108 @@
+// POSIX calls for an atomic replacement.
+#include "brushes/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace relievo {
+namespace fs = std::filesystem;
+namespace {
+
+class Descriptor {
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int get() const { return fd_; }
+    bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+
+  private:
+    int fd_;
+};
+
+class RemoveOnFailure {
+  public:
+    explicit RemoveOnFailure(const fs::path& path) : path_(path) {}
+    ~RemoveOnFailure() {
+        if (!done_) ::unlink(path_.c_str());
+    }
+    RemoveOnFailure(const RemoveOnFailure&) = delete;
+    RemoveOnFailure& operator=(const RemoveOnFailure&) = delete;
+    void done() { done_ = true; }
+
+  private:
+    const fs::path& path_;
+    bool done_ = false;
+};
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what) {
+    throw std::invalid_argument("cannot write '" + path.string() + "': " + what);
+}
+
+[[noreturn]] void fail_errno(const fs::path& path, int error) {
+    fail(path, std::generic_category().message(error));
+}
+
+// Where a link leads, existing or not; links are followed as often as the system would.
+fs::path link_target(fs::path path) {
+    std::error_code error;
+    for (int depth = 0; depth < 40 && fs::is_symlink(path, error); ++depth) {
+        const fs::path next = fs::read_symlink(path, error);
+        path = next.is_absolute() ? next : path.parent_path() / next;
+    }
+    return path;
+}
+
+void write_all(const fs::path& path, int fd, std::span<const std::byte> content) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(fd, content.data(), content.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) fail_errno(path, written < 0 ? errno : EIO);
+        content = content.subspan(static_cast<std::size_t>(written));
+    }
+}
+
+void sync_folder(const fs::path& path, const fs::path& folder) {
+    const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    // Some file systems cannot sync folders (EINVAL); there is nothing better to do on them.
+    if (fd.get() < 0 || (::fsync(fd.get()) != 0 && errno != EINVAL)) fail_errno(path, errno);
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, std::span<const std::byte> content) {
+    const fs::path target = link_target(path);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    struct stat old {};
+    const bool replaces = ::stat(target.c_str(), &old) == 0;
+    if (replaces && S_ISDIR(old.st_mode)) fail(path, "it is a folder; a file name is needed");
+    if (replaces && !S_ISREG(old.st_mode)) fail(path, "it is no regular file");
+    if (replaces && ::access(target.c_str(), W_OK) != 0) fail_errno(path, errno);
+
+    std::string name = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
+    Descriptor fd(::mkostemp(name.data(), O_CLOEXEC));
+    if (fd.get() < 0) fail_errno(path, errno);
+    const fs::path temporary = name;
+    RemoveOnFailure guard(temporary);
+
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (::fchmod(fd.get(), replaces ? old.st_mode & 07777 : 0666 & ~mask) != 0) fail_errno(path, errno);
+    write_all(path, fd.get(), content);
+    if (::fsync(fd.get()) != 0 || !fd.close()) fail_errno(path, errno);
+    if (::rename(temporary.c_str(), target.c_str()) != 0) fail_errno(path, errno);
+    guard.done();
+    sync_folder(path, folder);
+}
+
+}  // namespace relievo

@@ -1,0 +1,117 @@
+// A stroke from begin to end: dabs to tools, seams after every dab, one quantised state, one undo step.
+#include "brushes/sculptor.h"
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "brushes/dab_tools.h"
+#include "brushes/seams.h"
+#include "brushes/stroke_tiles.h"
+#include "brushes/undo_stack.h"
+
+namespace relievo {
+
+struct Sculptor::State {
+    State(HeightMap& the_map, const Surface& the_surface, std::size_t budget)
+        : map(the_map), surface(the_surface), seams(surface, map.width(), map.height()), undo(budget) {}
+
+    void require_stroke(bool wanted, const char* what) const {
+        if (stroke.has_value() == wanted) return;
+        throw std::logic_error(
+            std::string("Sculptor::") + what +
+            (wanted ? " needs a stroke: call begin first" : " during a stroke: end it first"));
+    }
+
+    HeightMap& map;
+    const Surface& surface;
+    Seams seams;
+    UndoStack undo;
+    Brush brush;
+    std::optional<StrokeTiles> stroke;
+    std::size_t clipped = 0;  // of the last stroke
+};
+
+Sculptor::Sculptor(HeightMap& map, const Surface& surface, std::size_t undo_budget)
+    : state_(std::make_unique<State>(map, surface, undo_budget)) {}
+
+Sculptor::~Sculptor() = default;
+
+void Sculptor::begin(const Brush& brush) {
+    state_->require_stroke(false, "begin");
+    check_brush(brush);
+    state_->brush = brush;
+    state_->stroke.emplace(state_->map);
+}
+
+std::vector<TexelRect> Sculptor::dab(const Dab& dab) {
+    state_->require_stroke(true, "dab");
+    if (dab.face >= state_->surface.face_count())
+        throw std::out_of_range("dab on face " + std::to_string(dab.face) + " of a mesh with " +
+                                std::to_string(state_->surface.face_count()) + " faces");
+    if (dab.b1 > Dab::kBarycentricOne || dab.b2 > Dab::kBarycentricOne - dab.b1)
+        throw std::out_of_range("dab outside its face: barycentrics " + std::to_string(dab.b1) + " and " +
+                                std::to_string(dab.b2) + " must add up to at most " +
+                                std::to_string(Dab::kBarycentricOne));
+    constexpr float kUnit = 1.0f / static_cast<float>(Dab::kBarycentricOne);
+    const DabPlace place{
+        state_->surface.at(dab.face, static_cast<float>(dab.b1) * kUnit, static_cast<float>(dab.b2) * kUnit),
+        std::min(static_cast<float>(dab.pressure) / static_cast<float>(Dab::kPressureOne), 1.0f)};
+    StrokeTiles& stroke = *state_->stroke;
+    apply_dab(state_->brush, place, state_->surface, state_->seams, stroke);
+    state_->seams.follow(stroke);
+    return merge_rects(stroke.take_dirty());
+}
+
+std::vector<TexelRect> Sculptor::end() {
+    state_->require_stroke(true, "end");
+    StrokeTiles& stroke = *state_->stroke;
+    state_->seams.settle(stroke);
+    std::vector<TexelRect> rects = merge_rects(stroke.take_dirty());
+    state_->undo.push(stroke, state_->map);
+    state_->clipped = stroke.clipped_texels();
+    state_->stroke.reset();
+    return rects;
+}
+
+std::vector<TexelRect> Sculptor::cancel() {
+    state_->require_stroke(true, "cancel");
+    std::vector<TexelRect> rects = merge_rects(state_->stroke->restore());
+    state_->clipped = 0;
+    state_->stroke.reset();
+    return rects;
+}
+
+bool Sculptor::in_stroke() const {
+    return state_->stroke.has_value();
+}
+
+bool Sculptor::can_undo() const {
+    return state_->undo.can_undo();
+}
+bool Sculptor::can_redo() const {
+    return state_->undo.can_redo();
+}
+
+std::vector<TexelRect> Sculptor::undo() {
+    state_->require_stroke(false, "undo");
+    return merge_rects(state_->undo.undo(state_->map));
+}
+
+std::vector<TexelRect> Sculptor::redo() {
+    state_->require_stroke(false, "redo");
+    return merge_rects(state_->undo.redo(state_->map));
+}
+
+std::size_t Sculptor::undo_bytes() const {
+    return state_->undo.bytes();
+}
+std::size_t Sculptor::undo_budget() const {
+    return state_->undo.budget();
+}
+
+std::size_t Sculptor::clipped_texels() const {
+    return state_->stroke ? state_->stroke->clipped_texels() : state_->clipped;
+}
+
+}  // namespace relievo

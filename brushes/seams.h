@@ -1,0 +1,70 @@
+// Keeps both sides of a texture seam at one height under bilinear filtering.
+//
+// Seams along texel rows: gutter texels are copies of the texels across the seam (SeamCopy), equal after
+// every dab.
+//
+// Slanted and scaled seams, after S. Liu, Z. Ferguson, A. Jacobson, Y. Gingold, "Seamless: Seam erasure and
+// seam-aware decoupling of shape from mesh resolution", ACM TOG 36(6), 2017: least squares over the texels
+// that bilinear filtering reads along the seam, so that the differences of both sides at points along it
+// vanish, with a damping to the present values. Deviations: only the equations that a stroke touched are
+// solved, the rest of the map stands fixed; the damping holds texels that a triangle owns more firmly than
+// those that only filtering reads ("loose"), which start as an extension of the island; differences are
+// sampled (as the surface's equations say) where they integrate them.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "brushes/stroke_tiles.h"
+#include "brushes/surface.h"
+
+namespace relievo {
+
+class Seams {
+  public:
+    // Reads surface.seams() and surface.owned() once. Throws std::invalid_argument on a texel outside the
+    // map.
+    Seams(const Surface& surface, int width, int height);
+
+    // A texel outside every island that holds a copy of the surface.
+    bool is_gutter(int x, int y) const;
+
+    // After a dab: copies what changed, and extends islands to the loose texels beside what changed.
+    void follow(StrokeTiles& stroke) const;
+
+    // At a stroke's end: solves the equations that it touched, then follows.
+    void settle(StrokeTiles& stroke) const;
+
+  private:
+    // What lies in each tile: (tile, item), sorted.
+    using TileIndex = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+    struct Texel {
+        std::int16_t x, y;
+    };
+    struct Loose {
+        std::uint32_t texel;
+        std::vector<Texel> neighbours;  // owned
+    };
+
+    Texel place(std::uint32_t texel) const {
+        return {static_cast<std::int16_t>(texel % width_), static_cast<std::int16_t>(texel / width_)};
+    }
+    void index_copies(const SeamTable& table, const TileGrid& grid);
+    void index_equations(const SeamTable& table, const Surface& surface, const TileGrid& grid);
+    void add_loose(std::uint32_t texel, const Surface& surface, const TileGrid& grid);
+    void copy_changed(StrokeTiles& stroke) const;
+    void extend_islands(StrokeTiles& stroke) const;
+    bool is_loose(std::uint32_t texel) const;
+    std::vector<std::uint32_t> touched_texels(const StrokeTiles& stroke) const;
+    std::vector<std::uint32_t> equations_on(const std::vector<std::uint32_t>& texels,
+                                            const TileGrid& grid) const;
+
+    std::uint32_t width_, height_;
+    std::vector<SeamCopy> copies_;         // sorted by gutter
+    std::vector<SeamEquation> equations_;  // gutters replaced by their sources
+    std::vector<Loose> loose_;             // sorted by texel
+    TileIndex copies_of_tile_, equations_of_tile_, loose_of_tile_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,93 @@
+// Tiles of a stroke under way: created on first touch, written through to the map.
+#include "brushes/stroke_tiles.h"
+
+#include <cmath>
+
+namespace relievo {
+namespace {
+
+constexpr float kTop = 65535.0f;
+
+}  // namespace
+
+StrokeTiles::Tile& StrokeTiles::touch(int x, int y) {
+    const std::uint32_t index = grid_.tile_of(x, y);
+    if (!tiles_[index]) {
+        auto tile = std::make_unique<Tile>();
+        tile->change.fill(0.0f);
+        const TexelRect rect = grid_.texels_of(index);
+        for (int row = rect.y0; row < rect.y1; ++row)
+            std::copy_n(map_.texels().begin() + static_cast<std::ptrdiff_t>(map_.index(rect.x0, row)),
+                        rect.width(), tile->before.begin() + (row - rect.y0) * kTileSize);
+        tiles_[index] = std::move(tile);
+        touched_.push_back(index);
+    }
+    return *tiles_[index];
+}
+
+void StrokeTiles::write(Tile& tile, std::uint32_t index, int x, int y, std::uint16_t count) {
+    if (map_.at(x, y) == count) return;
+    map_.set(x, y, count);
+    if (tile.dirty.empty()) dirty_.push_back(index);
+    tile.dirty.include(x, y);
+    tile.ever_dirty.include(x, y);
+}
+
+void StrokeTiles::set_change(int x, int y, float change) {
+    Tile& tile = touch(x, y);
+    const std::size_t at = local(x, y);
+    const float before = static_cast<float>(tile.before[at]);
+    if (std::isnan(change)) return;
+    float held = change;
+    if (before + change > kTop || before + change < 0.0f) {
+        held = before + change < 0.0f ? -before : kTop - before;
+        tile.clipped.set(at);
+    }
+    tile.change[at] = held;
+    write(tile, grid_.tile_of(x, y), x, y, static_cast<std::uint16_t>(std::floor(before + held + 0.5f)));
+}
+
+void StrokeTiles::copy(int from_x, int from_y, int to_x, int to_y) {
+    const float from = value(from_x, from_y);
+    const std::uint16_t count = map_.at(from_x, from_y);
+    if (value(to_x, to_y) == from && map_.at(to_x, to_y) == count) return;
+    Tile& tile = touch(to_x, to_y);
+    const std::size_t at = local(to_x, to_y);
+    tile.change[at] = from - static_cast<float>(tile.before[at]);
+    write(tile, grid_.tile_of(to_x, to_y), to_x, to_y, count);
+}
+
+std::vector<TexelRect> StrokeTiles::take_dirty() {
+    std::vector<TexelRect> rects;
+    rects.reserve(dirty_.size());
+    for (const std::uint32_t index : dirty_) {
+        rects.push_back(tiles_[index]->dirty);
+        tiles_[index]->dirty = {};
+    }
+    dirty_.clear();
+    return rects;
+}
+
+std::size_t StrokeTiles::clipped_texels() const {
+    std::size_t sum = 0;
+    for (const std::uint32_t index : touched_) sum += tiles_[index]->clipped.count();
+    return sum;
+}
+
+std::vector<TexelRect> StrokeTiles::restore() {
+    std::vector<TexelRect> rects;
+    for (const std::uint32_t index : touched_) {
+        const Tile& tile = *tiles_[index];
+        for (int y = tile.ever_dirty.y0; y < tile.ever_dirty.y1; ++y)
+            for (int x = tile.ever_dirty.x0; x < tile.ever_dirty.x1; ++x)
+                map_.set(x, y, tile.before[local(x, y)]);
+        rects.push_back(tile.ever_dirty);
+    }
+    tiles_.clear();
+    tiles_.resize(grid_.count());
+    touched_.clear();
+    dirty_.clear();
+    return rects;
+}
+
+}  // namespace relievo

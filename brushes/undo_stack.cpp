@@ -1,0 +1,64 @@
+// Undo steps: made from a stroke's tiles, applied by swapping.
+#include "brushes/undo_stack.h"
+
+#include <utility>
+
+namespace relievo {
+namespace {
+
+// The part of `rect` whose texels differ from those before: what a wandering stroke changed and changed back,
+// or never rounded to another count, needs no memory.
+TexelRect changed_part(const StrokeTiles& stroke, const HeightMap& map, const TexelRect& rect) {
+    TexelRect changed;
+    for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1; ++x)
+            if (stroke.before(x, y) != map.at(x, y)) changed.include(x, y);
+    return changed;
+}
+
+}  // namespace
+
+void UndoStack::push(const StrokeTiles& stroke, const HeightMap& map) {
+    Step step;
+    for (const std::uint32_t index : stroke.touched()) {
+        const TexelRect rect = changed_part(stroke, map, stroke.tile(index)->ever_dirty);
+        if (rect.empty()) continue;
+        Patch patch{rect, {}};
+        patch.texels.reserve(static_cast<std::size_t>(rect.area()));
+        for (int y = rect.y0; y < rect.y1; ++y)
+            for (int x = rect.x0; x < rect.x1; ++x) patch.texels.push_back(stroke.before(x, y));
+        step.bytes += sizeof(Patch) + patch.texels.size() * sizeof(std::uint16_t);
+        step.patches.push_back(std::move(patch));
+    }
+    if (step.patches.empty()) return;
+
+    for (const Step& dropped : redo_) bytes_ -= dropped.bytes;
+    redo_.clear();
+    bytes_ += step.bytes;
+    undo_.push_back(std::move(step));
+    while (bytes_ > budget_) {
+        bytes_ -= undo_.front().bytes;
+        undo_.pop_front();
+    }
+}
+
+std::vector<TexelRect> UndoStack::move_step(std::deque<Step>& from, std::deque<Step>& to, HeightMap& map) {
+    std::vector<TexelRect> rects;
+    if (from.empty()) return rects;
+    Step step = std::move(from.back());
+    from.pop_back();
+    for (Patch& patch : step.patches) {
+        auto texel = patch.texels.begin();
+        for (int y = patch.rect.y0; y < patch.rect.y1; ++y)
+            for (int x = patch.rect.x0; x < patch.rect.x1; ++x, ++texel) {
+                const std::uint16_t other = *texel;
+                *texel = map.at(x, y);
+                map.set(x, y, other);
+            }
+        rects.push_back(patch.rect);
+    }
+    to.push_back(std::move(step));
+    return rects;
+}
+
+}  // namespace relievo
