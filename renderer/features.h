@@ -5,18 +5,44 @@
 #include <string>
 #include <vector>
 
+#include "renderer/methods/registry.h"
+#include "renderer/scene/scene.h"
+
 namespace relievo {
 
 struct Feature {
-    std::string name;    // "shadows", "min-max pyramid", "opacity maps", ...
+    std::string name;  // "shadows", "min-max pyramid", "opacity maps", ...
     bool built = false;
-    std::string reason;  // one clause: why it is built or left out
-    std::uint64_t bytes = 0;  // device memory it takes; 0 for shader code
+    std::string reason;       // one clause: why it is built or left out
+    std::uint64_t bytes = 0;  // device memory it takes; 0 for shader code, or while nobody has asked for it yet
 };
 
 struct FeatureReport {
     std::vector<Feature> features;
     std::uint64_t bytes_total = 0;
 };
+
+// What is built. Every consumer (specialisation constants, buffers, passes) reads these and nothing else.
+struct Features {
+    bool shadows = false;        // rays from the hit to each light
+    bool opacity = false;        // opacity maps: a lookup inside the intersection
+    bool gloss = false;          // the GGX lobe and the mirrored sky
+    bool sky = false;            // light of the sky
+    bool mended_creases = false; // triangles inserted along folded edges (paper 002, section 5.4)
+    bool pyramid = false;        // min-max pyramid of the map on the device
+    bool by_pipeline = false;    // ray tracing pipeline in the ray query's stead
+};
+
+struct FeatureRequest {
+    const Method* method = nullptr;
+    bool everything = false;   // build all, whether needed or not
+    bool has_creases = false;  // a mesh has edges folded below the threshold
+    bool by_pipeline = false;
+};
+
+Features derive_features(const Scene& scene, const FeatureRequest& request);
+
+// The same decisions in words, in a fixed order. Bytes are filled in by the renderer.
+FeatureReport describe_features(const Scene& scene, const FeatureRequest& request, const Features& features);
 
 }  // namespace relievo

@@ -40,7 +40,6 @@ struct RenderSettings {
     std::map<std::string, double> parameters;  // of the method; std::invalid_argument on a wrong name or range
     TracePath path = TracePath::automatic;
     bool everything = false;  // build all features whether the scene needs them or not (tests compare the images)
-    bool with_aovs = true;    // keep Z, N, Ns, uv, id of the pixel centres
 };
 
 // Milliseconds of wall clock by stage of the last call; 0 where a stage did not run.
@@ -49,6 +48,12 @@ struct UploadStats {
     double bounds_ms = 0;  // height bounds of the touched triangles
     double refit_ms = 0;   // acceleration structure, only when a triangle's box grew
     int triangles_touched = 0, triangles_grown = 0;
+};
+
+enum class Quality {
+    preview,  // one hard shadow ray a light, the sky unshadowed: free of noise, for the window under the brush;
+              // replaces what the pixels showed, never mixes with samples, and is replaced by the first of them
+    full,
 };
 
 enum class Layer { beauty, depth, normal, shading_normal, uv, id };
@@ -90,8 +95,8 @@ class Renderer {
     void restart(const PixelRect& window);  // forget the samples of a window only
 
     // Adds one sample a pixel inside the window to the accumulation. Returns milliseconds of wall clock.
-    double render(const PixelRect& window);
-    double render();  // the whole image
+    double render(const PixelRect& window, Quality quality = Quality::full);
+    double render();  // the whole image, full quality
     int samples() const;  // whole-image passes since the last restart
 
     int width() const;

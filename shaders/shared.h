@@ -54,7 +54,7 @@ struct ObjectData {
     float specular;   // reflectance at normal incidence
     float radius;     // bounding sphere of the base mesh, world units: the unit of dt
     uint clamp_wrap;  // 1: clamp, 0: repeat
-    uint pad;
+    float ray_offset; // world units: secondary rays start this far along the normal
 };
 
 struct LightData {
@@ -79,7 +79,7 @@ struct FrameData {
     vec3 horizon;
     uint object_count;
     vec3 ground;
-    float ray_offset;  // world units: secondary rays start this far along the normal
+    float spare5;
     ivec2 size;        // image, pixels
     ivec2 spare4;
     vec4 parameters0, parameters1;  // of the method, in the registry's order

@@ -28,7 +28,7 @@ vec4 radiance_along(vec3 d, uint pixel, bool preview) {
     // A shading normal turned away from the viewer would be black: bend it back.
     float back = dot(s.ns, s.view);
     if (back < 0.01) s.ns = normalize(s.ns + s.view * (0.01 - back));
-    s.offset_point = s.point + s.ng * frame.ray_offset;
+    s.offset_point = s.point + s.ng * s.ob.ray_offset;
     return vec4(shade(s, pixel, preview), 1.0);
 }
 

@@ -1,0 +1,141 @@
+// See film.h.
+#include "renderer/film.h"
+
+#include <array>
+#include <cstring>
+
+namespace relievo {
+namespace {
+
+constexpr VkBufferUsageFlags kSums =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+
+vulkan::Buffer download(vulkan::Context& context, vulkan::Commands& commands, const vulkan::Buffer& from) {
+    vulkan::Buffer to(context, from.bytes(), VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::host);
+    commands.run([&](VkCommandBuffer cmd) {
+        vulkan::memory_barrier(cmd);
+        const VkBufferCopy copy{0, 0, from.bytes()};
+        vkCmdCopyBuffer(cmd, from.get(), to.get(), 1, &copy);
+        vulkan::memory_barrier(cmd);
+    });
+    return to;
+}
+
+}  // namespace
+
+Film::Film(vulkan::Context& context, vulkan::Commands& commands, int width, int height)
+    : width_(width), height_(height) {
+    const auto pixels = static_cast<VkDeviceSize>(width) * static_cast<VkDeviceSize>(height);
+    accumulation_ = vulkan::Buffer(context, pixels * sizeof(glm::vec4), kSums, vulkan::Access::device);
+    counts_ = vulkan::Buffer(context, pixels * sizeof(std::uint32_t), kSums, vulkan::Access::device);
+    aov_ = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
+    display_ = vulkan::Image(context, width, height, VK_FORMAT_R8G8B8A8_UNORM,
+                             VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                 VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+    commands.run([&](VkCommandBuffer cmd) {
+        display_.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+        const VkClearColorValue black{{0, 0, 0, 1}};
+        const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+        vkCmdClearColorImage(cmd, display_.get(), VK_IMAGE_LAYOUT_GENERAL, &black, 1, &all);
+        vulkan::memory_barrier(cmd);
+    });
+    clear(commands, {0, 0, width, height});
+}
+
+void Film::clear(vulkan::Commands& commands, const PixelRect& window) const {
+    // The counts alone say what the sums hold.
+    commands.run([&](VkCommandBuffer cmd) {
+        vulkan::memory_barrier(cmd);
+        if (window.x0 == 0 && window.x1 == width_ && window.y0 == 0 && window.y1 == height_) {
+            vkCmdFillBuffer(cmd, counts_.get(), 0, VK_WHOLE_SIZE, 0);
+        } else {
+            for (int y = window.y0; y < window.y1; ++y) {
+                const auto first = static_cast<VkDeviceSize>(y) * static_cast<VkDeviceSize>(width_) +
+                                   static_cast<VkDeviceSize>(window.x0);
+                vkCmdFillBuffer(cmd, counts_.get(), first * 4, static_cast<VkDeviceSize>(window.x1 - window.x0) * 4,
+                                0);
+            }
+        }
+        vulkan::memory_barrier(cmd);
+    });
+}
+
+void Film::make_aov(vulkan::Context& context) {
+    if (has_aov()) return;
+    const auto pixels = static_cast<VkDeviceSize>(width_) * static_cast<VkDeviceSize>(height_);
+    aov_ = vulkan::Buffer(context, pixels * sizeof(gpu::AovPixel) + 64, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                          vulkan::Access::host);
+}
+
+void Film::write_bindings(VkDevice device, VkDescriptorSet set) const {
+    const std::array<VkDescriptorBufferInfo, 3> buffers{VkDescriptorBufferInfo{accumulation_.get(), 0, VK_WHOLE_SIZE},
+                                                        VkDescriptorBufferInfo{counts_.get(), 0, VK_WHOLE_SIZE},
+                                                        VkDescriptorBufferInfo{aov_.get(), 0, VK_WHOLE_SIZE}};
+    const std::array<std::uint32_t, 3> bindings{gpu::kBindAccumulation, gpu::kBindCounts, gpu::kBindAov};
+    const VkDescriptorImageInfo image{VK_NULL_HANDLE, display_.view(), VK_IMAGE_LAYOUT_GENERAL};
+    std::array<VkWriteDescriptorSet, 4> writes{};
+    for (std::size_t i = 0; i < writes.size(); ++i) {
+        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        writes[i].dstSet = set;
+        writes[i].descriptorCount = 1;
+        if (i < 3) {
+            writes[i].dstBinding = bindings[i];
+            writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+            writes[i].pBufferInfo = &buffers[i];
+        } else {
+            writes[i].dstBinding = gpu::kBindDisplay;
+            writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+            writes[i].pImageInfo = &image;
+        }
+    }
+    vkUpdateDescriptorSets(device, static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
+}
+
+std::vector<float> Film::beauty(vulkan::Context& context, vulkan::Commands& commands) const {
+    const vulkan::Buffer sums = download(context, commands, accumulation_), counts = download(context, commands, counts_);
+    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    std::vector<float> result(pixels * 4);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const std::uint32_t count = counts.as<std::uint32_t>()[i];
+        for (std::size_t c = 0; c < 4; ++c)
+            result[i * 4 + c] = count == 0 ? 0.0f : sums.as<float>()[i * 4 + c] / static_cast<float>(count);
+    }
+    return result;
+}
+
+std::vector<float> Film::layer(Layer layer) const {
+    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    const auto* from = aov_.as<gpu::AovPixel>();
+    std::vector<float> result;
+    const auto add = [&](const glm::vec3& v) { result.insert(result.end(), {v.x, v.y, v.z}); };
+    for (std::size_t i = 0; i < pixels; ++i) {
+        switch (layer) {
+            case Layer::depth: result.push_back(from[i].depth); break;
+            case Layer::normal: add(from[i].normal); break;
+            case Layer::shading_normal: add(from[i].shading_normal); break;
+            case Layer::uv: result.insert(result.end(), {from[i].uv.x, from[i].uv.y}); break;
+            case Layer::id: result.push_back(from[i].id); break;
+            case Layer::beauty: break;  // not of this buffer
+        }
+    }
+    return result;
+}
+
+std::vector<std::uint8_t> Film::display_pixels(vulkan::Context& context, vulkan::Commands& commands) const {
+    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
+    const vulkan::Buffer to(context, pixels.size(), VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::host);
+    VkBufferImageCopy copy{};
+    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    copy.imageExtent = {static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), 1};
+    commands.run([&](VkCommandBuffer cmd) {
+        vulkan::memory_barrier(cmd);
+        vkCmdCopyImageToBuffer(cmd, display_.get(), VK_IMAGE_LAYOUT_GENERAL, to.get(), 1, &copy);
+        vulkan::memory_barrier(cmd);
+    });
+    std::memcpy(pixels.data(), to.mapped(), pixels.size());
+    return pixels;
+}
+
+std::uint64_t Film::image_bytes() const { return accumulation_.bytes() + counts_.bytes() + display_.bytes(); }
+
+}  // namespace relievo

@@ -1,0 +1,42 @@
+// What the passes write: sums of samples, the picture on display, the layers; and how they are read back.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/renderer.h"
+#include "renderer/vulkan/commands.h"
+#include "renderer/vulkan/resources.h"
+#include "shaders/shared.h"
+
+namespace relievo {
+
+class Film {
+  public:
+    Film() = default;
+    Film(vulkan::Context& context, vulkan::Commands& commands, int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    const vulkan::Image& display() const { return display_; }
+
+    void clear(vulkan::Commands& commands, const PixelRect& window) const;
+    void make_aov(vulkan::Context& context);  // at the first wish for a layer
+    bool has_aov() const { return aov_.bytes() > 64; }
+
+    void write_bindings(VkDevice device, VkDescriptorSet set) const;
+
+    std::vector<float> beauty(vulkan::Context& context, vulkan::Commands& commands) const;
+    std::vector<float> layer(Layer layer) const;  // from the AOV buffer as last traced
+    std::vector<std::uint8_t> display_pixels(vulkan::Context& context, vulkan::Commands& commands) const;
+
+    std::uint64_t image_bytes() const;
+    std::uint64_t aov_bytes() const { return has_aov() ? aov_.bytes() : 0; }
+
+  private:
+    int width_ = 0, height_ = 0;
+    vulkan::Buffer accumulation_, counts_, aov_;
+    vulkan::Image display_;
+};
+
+}  // namespace relievo

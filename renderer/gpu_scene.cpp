@@ -1,0 +1,313 @@
+// See gpu_scene.h.
+#include "renderer/gpu_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "renderer/opacity.h"
+#include "renderer/stopwatch.h"
+#include "renderer/vulkan/functions.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+constexpr VkImageUsageFlags kTexture = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+
+VkAabbPositionsKHR vulkan_box(const Box& b) { return {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z}; }
+
+// Edges that one triangle has for itself: rays may look underneath there.
+void flag_open_edges(const Mesh& mesh, std::uint32_t face, const std::map<std::pair<std::uint32_t, std::uint32_t>, int>& uses,
+                     gpu::Primitive& primitive) {
+    const auto& p = mesh.faces[face].position;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const auto edge = std::minmax(p[(i + 1) % 3], p[(i + 2) % 3]);
+        if (uses.at({edge.first, edge.second}) == 1) primitive.flags |= gpu::kPrimitiveOpenEdge0 << i;
+    }
+}
+
+std::map<std::pair<std::uint32_t, std::uint32_t>, int> count_edge_uses(const Mesh& mesh) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+    for (const Mesh::Face& f : mesh.faces) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto edge = std::minmax(f.position[i], f.position[(i + 1) % 3]);
+            ++uses[{edge.first, edge.second}];
+        }
+    }
+    return uses;
+}
+
+// Copies rows of one region into staging memory, tightly packed.
+template <typename T>
+T* pack_rows(T* to, const T* texels, int width, const TexelRegion& r) {
+    const auto count = static_cast<std::size_t>(r.x1 - r.x0);
+    for (int y = r.y0; y < r.y1; ++y) {
+        std::memcpy(to, texels + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + r.x0,
+                    count * sizeof(T));
+        to += count;
+    }
+    return to;
+}
+
+VkBufferImageCopy image_copy(const TexelRegion& r, VkDeviceSize offset) {
+    VkBufferImageCopy copy{};
+    copy.bufferOffset = offset;
+    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    copy.imageOffset = {r.x0, r.y0, 0};
+    copy.imageExtent = {static_cast<std::uint32_t>(r.x1 - r.x0), static_cast<std::uint32_t>(r.y1 - r.y0), 1};
+    return copy;
+}
+
+}  // namespace
+
+GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const Scene& scene,
+                   std::span<const HeightView> maps, const Features& features, const std::vector<Mesh>& meshes)
+    : context_(context), commands_(commands) {
+    std::vector<gpu::Primitive> primitives;
+    objects_.reserve(scene.objects.size());
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        objects_.emplace_back();
+        objects_.back().mesh = meshes[i];
+        add_object(scene.objects[i], maps[i], features, primitives);
+    }
+    if (primitives.empty()) throw std::invalid_argument(scene.path.string() + ": no triangle of the scene has an area");
+    std::vector<Box> boxes;
+    boxes.reserve(primitives.size());
+    for (const gpu::Primitive& p : primitives) boxes.push_back(prism_box(p));
+    const auto order = spatial_order(boxes);
+
+    primitives_ = vulkan::Buffer(context, primitives.size() * sizeof(gpu::Primitive), kStorage, vulkan::Access::host);
+    normals_ = vulkan::Buffer(context, primitives.size() * sizeof(gpu::PrimitiveNormals), kStorage, vulkan::Access::host);
+    std::vector<VkAabbPositionsKHR> sorted;
+    sorted.reserve(order.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+        const gpu::Primitive& p = primitives[order[i]];
+        primitives_.as<gpu::Primitive>()[i] = p;
+        normals_.as<gpu::PrimitiveNormals>()[i] = primitive_normals(objects_[p.object].mesh, p.face);
+        objects_[p.object].primitive_of[p.face] = i;
+        sorted.push_back(vulkan_box(boxes[order[i]]));
+    }
+    bvh_ = vulkan::BoxBvh(context, commands, sorted);
+
+    object_data_ = vulkan::Buffer(context, objects_.size() * sizeof(gpu::ObjectData), kStorage, vulkan::Access::host);
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+        gpu::ObjectData& data = object_data_.as<gpu::ObjectData>()[i];
+        data = {};
+        data.amplitude = static_cast<float>(objects_[i].amplitude);
+        data.midlevel = static_cast<float>(objects_[i].midlevel);
+        data.map_size = {maps[i].width, maps[i].height};
+        data.radius = objects_[i].mesh.sphere_radius;
+        data.clamp_wrap = objects_[i].wrap == Wrap::clamp ? 1 : 0;
+        set_material(i, scene.objects[i].material);
+    }
+}
+
+void GpuScene::add_object(const SceneObject& description, const HeightView& map, const Features& features,
+                          std::vector<gpu::Primitive>& primitives) {
+    Object& object = objects_.back();
+    const auto index = static_cast<std::uint32_t>(objects_.size() - 1);
+    object.wrap = description.displacement.wrap;
+    object.amplitude = description.displacement.amplitude;
+    object.midlevel = description.displacement.midlevel;
+    const bool clamp = object.wrap == Wrap::clamp;
+    object.bounds = std::make_unique<HeightBounds>(HeightTexels{map.width, map.height, map.texels, object.wrap});
+    object.lookup = std::make_unique<TriangleLookup>(object.mesh, map.width, map.height, object.wrap);
+    object.primitive_of.assign(object.mesh.faces.size(), kNone);
+    const auto uses = count_edge_uses(object.mesh);
+    for (std::uint32_t face = 0; face < object.mesh.faces.size(); ++face) {
+        auto p = make_primitive(object.mesh, face, index, {map.width, map.height}, clamp);
+        if (!p) continue;
+        flag_open_edges(object.mesh, face, uses, *p);
+        set_heights(*p, range_of(object, face));
+        primitives.push_back(*p);
+    }
+    object.map = vulkan::Image(context_, map.width, map.height, VK_FORMAT_R16_UNORM, kTexture);
+    object.map_sampler = vulkan::make_sampler(context_, clamp, false);
+    commands_.run([&](VkCommandBuffer cmd) {
+        object.map.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
+    // In bands, so that the staging buffer stays small on large maps.
+    constexpr int kBand = 1024;
+    for (int y = 0; y < map.height; y += kBand) {
+        const TexelRegion band{0, y, map.width, std::min(map.height, y + kBand)};
+        upload_texels(object, map, std::span(&band, 1));
+    }
+    load_opacity(description, object, features.opacity);
+}
+
+void GpuScene::load_opacity(const SceneObject& description, Object& object, bool wanted) {
+    // A white texel stands in where there is no map: descriptors need an image.
+    OpacityMap opacity;
+    if (wanted && !description.opacity_map.empty()) opacity = load_opacity_map(description.opacity_map);
+    object.opacity = vulkan::Image(context_, opacity.width, opacity.height, VK_FORMAT_R8_UNORM, kTexture);
+    object.opacity_sampler = vulkan::make_sampler(context_, object.wrap == Wrap::clamp, true);
+    const vulkan::Buffer staging(context_, opacity.texels.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                 vulkan::Access::host);
+    std::memcpy(staging.mapped(), opacity.texels.data(), opacity.texels.size());
+    const VkBufferImageCopy copy = image_copy({0, 0, opacity.width, opacity.height}, 0);
+    commands_.run([&](VkCommandBuffer cmd) {
+        object.opacity.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        vkCmdCopyBufferToImage(cmd, staging.get(), object.opacity.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                               &copy);
+        object.opacity.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
+}
+
+DisplacementRange GpuScene::range_of(const Object& object, std::uint32_t face) const {
+    const auto& uv = object.mesh.faces[face].uv;
+    const HeightRange counts =
+        object.bounds->range(object.mesh.uvs[uv[0]], object.mesh.uvs[uv[1]], object.mesh.uvs[uv[2]]);
+    const double a = object.amplitude * (counts.low / 65535.0 - object.midlevel);
+    const double b = object.amplitude * (counts.high / 65535.0 - object.midlevel);
+    return {std::min(a, b), std::max(a, b)};
+}
+
+void GpuScene::upload_texels(Object& object, const HeightView& map, std::span<const TexelRegion> regions) {
+    VkDeviceSize bytes = 0;
+    std::vector<VkBufferImageCopy> copies;
+    for (const TexelRegion& r : regions) {
+        copies.push_back(image_copy(r, bytes));
+        // Offsets of image copies are multiples of 4.
+        bytes += (static_cast<VkDeviceSize>(r.x1 - r.x0) * static_cast<VkDeviceSize>(r.y1 - r.y0) * 2 + 3) / 4 * 4;
+    }
+    if (staging_.bytes() < bytes)
+        staging_ = vulkan::Buffer(context_, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Access::host);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        auto* to = reinterpret_cast<std::uint16_t*>(staging_.as<std::uint8_t>() + copies[i].bufferOffset);
+        pack_rows(to, map.texels, map.width, regions[i]);
+    }
+    commands_.run([&](VkCommandBuffer cmd) {
+        object.map.transition(cmd, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        vkCmdCopyBufferToImage(cmd, staging_.get(), object.map.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                               static_cast<std::uint32_t>(copies.size()), copies.data());
+        object.map.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
+}
+
+UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span<const TexelRegion> regions) {
+    UploadStats stats;
+    if (regions.empty()) return stats;
+    Object& object = objects_[index];
+    Stopwatch watch;
+    upload_texels(object, map, regions);
+    stats.copy_ms = watch.lap_ms();
+
+    std::vector<std::uint32_t> faces;
+    for (const TexelRegion& r : regions) {
+        object.bounds->update(r.x0, r.y0, r.x1, r.y1);
+        object.lookup->touching(r.x0, r.y0, r.x1, r.y1, faces);
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    bool grown = false;
+    for (const std::uint32_t face : faces) {
+        const std::uint32_t i = object.primitive_of[face];
+        if (i == kNone) continue;
+        ++stats.triangles_touched;
+        gpu::Primitive& p = primitives_.as<gpu::Primitive>()[i];
+        gpu::Primitive fresh = p;
+        set_heights(fresh, range_of(object, face));
+        // Bounds that shrank stay: they are still true, and the box need not move.
+        if (fresh.w_low >= p.w_low && fresh.w_high <= p.w_high) continue;
+        const float low = std::min(p.w_low, fresh.w_low), high = std::max(p.w_high, fresh.w_high);
+        extend_heights(p, low, high);
+        write_box(i);
+        ++stats.triangles_grown;
+        grown = true;
+    }
+    stats.bounds_ms = watch.lap_ms();
+    if (grown) {
+        bvh_.refit(commands_);
+        stats.refit_ms = watch.lap_ms();
+    }
+    return stats;
+}
+
+void GpuScene::write_box(std::uint32_t primitive) {
+    bvh_.boxes()[primitive] = vulkan_box(prism_box(primitives_.as<gpu::Primitive>()[primitive]));
+}
+
+void GpuScene::set_displacement(std::size_t index, double amplitude, double midlevel) {
+    Object& object = objects_[index];
+    object.amplitude = amplitude;
+    object.midlevel = midlevel;
+    object_data_.as<gpu::ObjectData>()[index].amplitude = static_cast<float>(amplitude);
+    object_data_.as<gpu::ObjectData>()[index].midlevel = static_cast<float>(midlevel);
+    for (std::uint32_t face = 0; face < object.primitive_of.size(); ++face) {
+        const std::uint32_t i = object.primitive_of[face];
+        if (i == kNone) continue;
+        set_heights(primitives_.as<gpu::Primitive>()[i], range_of(object, face));
+        write_box(i);
+    }
+    bvh_.refit(commands_);
+}
+
+void GpuScene::set_material(std::size_t index, const Material& material) {
+    gpu::ObjectData& data = object_data_.as<gpu::ObjectData>()[index];
+    data.albedo = material.albedo;
+    data.roughness = material.roughness;
+    data.specular = material.specular;
+}
+
+void GpuScene::set_ray_offset(double fraction_of_radius) {
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+        gpu::ObjectData& data = object_data_.as<gpu::ObjectData>()[i];
+        data.ray_offset = static_cast<float>(fraction_of_radius) * data.radius;
+    }
+}
+
+void GpuScene::write_bindings(VkDescriptorSet set) const {
+    VkAccelerationStructureKHR top = bvh_.top();
+    VkWriteDescriptorSetAccelerationStructureKHR structure{
+        VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR, nullptr, 1, &top};
+    const std::array<VkDescriptorBufferInfo, 3> buffers{
+        VkDescriptorBufferInfo{primitives_.get(), 0, VK_WHOLE_SIZE},
+        VkDescriptorBufferInfo{normals_.get(), 0, VK_WHOLE_SIZE},
+        VkDescriptorBufferInfo{object_data_.get(), 0, VK_WHOLE_SIZE}};
+    std::vector<VkDescriptorImageInfo> maps, opacities;
+    for (const Object& o : objects_) {
+        maps.push_back({o.map_sampler.get(), o.map.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        opacities.push_back({o.opacity_sampler.get(), o.opacity.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    }
+    std::vector<VkWriteDescriptorSet> writes;
+    const auto add = [&](std::uint32_t binding, VkDescriptorType type, std::size_t count) -> VkWriteDescriptorSet& {
+        VkWriteDescriptorSet w{};
+        w.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        w.dstSet = set;
+        w.dstBinding = binding;
+        w.descriptorCount = static_cast<std::uint32_t>(count);
+        w.descriptorType = type;
+        return writes.emplace_back(w);
+    };
+    add(gpu::kBindTlas, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, 1).pNext = &structure;
+    add(gpu::kBindPrimitives, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[0];
+    add(gpu::kBindNormals, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[1];
+    add(gpu::kBindObjects, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[2];
+    add(gpu::kBindMaps, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, maps.size()).pImageInfo = maps.data();
+    add(gpu::kBindOpacity, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, opacities.size()).pImageInfo = opacities.data();
+    vkUpdateDescriptorSets(context_.device(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
+}
+
+std::uint64_t GpuScene::primitive_bytes() const {
+    return primitives_.bytes() + normals_.bytes() + object_data_.bytes() + bvh_.bytes();
+}
+
+std::uint64_t GpuScene::map_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Object& o : objects_) sum += o.map.bytes();
+    return sum;
+}
+
+std::uint64_t GpuScene::opacity_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Object& o : objects_) sum += o.opacity.bytes();
+    return sum;
+}
+
+}  // namespace relievo

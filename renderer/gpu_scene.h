@@ -1,0 +1,59 @@
+// The scene on the device: primitives, boxes, maps; and the live path of an edit through them.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "renderer/features.h"
+#include "renderer/primitives.h"
+#include "renderer/renderer.h"
+#include "renderer/scene/triangle_bounds.h"
+#include "renderer/vulkan/acceleration.h"
+
+namespace relievo {
+
+class GpuScene {
+  public:
+    // Builds everything from one mesh an object, as traced (creases mended where the method wants it).
+    GpuScene(vulkan::Context& context, vulkan::Commands& commands, const Scene& scene,
+             std::span<const HeightView> maps, const Features& features, const std::vector<Mesh>& meshes);
+
+    UploadStats upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions);
+    void set_displacement(std::size_t object, double amplitude, double midlevel);
+    void set_material(std::size_t object, const Material& material);
+    void set_ray_offset(double fraction_of_radius);
+
+    // Writes bindings TLAS, primitives, normals, objects, maps, opacity.
+    void write_bindings(VkDescriptorSet set) const;
+
+    std::uint64_t primitive_bytes() const;
+    std::uint64_t map_bytes() const;
+    std::uint64_t opacity_bytes() const;
+
+  private:
+    struct Object {
+        Mesh mesh;                               // as traced: creases mended where the method wants it
+        std::vector<std::uint32_t> primitive_of; // traced face -> primitive; kNone for faces without area
+        std::unique_ptr<HeightBounds> bounds;
+        std::unique_ptr<TriangleLookup> lookup;
+        vulkan::Image map, opacity;
+        vulkan::SamplerHandle map_sampler, opacity_sampler;
+        Wrap wrap = Wrap::repeat;
+        double amplitude = 0, midlevel = 0;
+    };
+    void add_object(const SceneObject& object, const HeightView& map, const Features& features,
+                    std::vector<gpu::Primitive>& primitives);
+    void load_opacity(const SceneObject& description, Object& object, bool wanted);
+    void upload_texels(Object& object, const HeightView& map, std::span<const TexelRegion> regions);
+    DisplacementRange range_of(const Object& object, std::uint32_t face) const;
+    void write_box(std::uint32_t primitive);
+
+    vulkan::Context& context_;
+    vulkan::Commands& commands_;
+    std::vector<Object> objects_;
+    vulkan::Buffer primitives_, normals_, object_data_, staging_;
+    vulkan::BoxBvh bvh_;
+};
+
+}  // namespace relievo

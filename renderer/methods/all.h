@@ -1,0 +1,10 @@
+// One declaration a method, for the registry.
+#pragma once
+
+#include "renderer/methods/registry.h"
+
+namespace relievo {
+
+extern const Method kPdm;
+
+}  // namespace relievo

@@ -1,0 +1,64 @@
+// The explicit registry: one line a method, the first is the default.
+#include "renderer/methods/registry.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "renderer/methods/all.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::array kMethods{&kPdm};
+
+std::string number(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+const MethodParameter& find_parameter(const Method& method, const std::string& name) {
+    std::string known;
+    for (const MethodParameter& p : method.parameters) {
+        if (p.name == name) return p;
+        known += (known.empty() ? "" : ", ") + std::string(p.name);
+    }
+    throw std::invalid_argument("method '" + std::string(method.name) + "' has no parameter '" + name +
+                                "'; it has: " + known);
+}
+
+}  // namespace
+
+std::span<const Method* const> methods() { return kMethods; }
+
+const Method& find_method(std::string_view name) {
+    if (name.empty()) return *kMethods.front();
+    std::string known;
+    for (const Method* m : kMethods) {
+        if (m->name == name) return *m;
+        known += (known.empty() ? "" : ", ") + std::string(m->name);
+    }
+    throw std::invalid_argument("there is no method '" + std::string(name) + "'; methods: " + known);
+}
+
+std::map<std::string, double> resolve_parameters(const Method& method, const std::map<std::string, double>& given) {
+    std::map<std::string, double> result;
+    for (const MethodParameter& p : method.parameters) result[std::string(p.name)] = p.standard;
+    for (const auto& [name, value] : given) {
+        const MethodParameter& p = find_parameter(method, name);
+        const bool fits = std::isfinite(value) && value >= p.low && value <= p.high &&
+                          (!p.is_switch || value == 0 || value == 1);
+        if (!fits) {
+            throw std::invalid_argument("method parameter '" + name + "' is " + number(value) + ", must be " +
+                                        (p.is_switch ? "0 or 1"
+                                                     : "in [" + number(p.low) + ", " + number(p.high) + "]"));
+        }
+        result[name] = value;
+    }
+    return result;
+}
+
+}  // namespace relievo

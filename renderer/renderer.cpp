@@ -1,0 +1,419 @@
+// See renderer.h. The way of a ray: Renderer::render -> vulkan/passes.cpp (dispatch) -> shaders/trace/beauty.glsl
+// (camera ray, shading) -> trace/query.glsl or pipeline.glsl (boxes) -> methods/<name>/intersect.glsl (the surface).
+#include "renderer/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "renderer/features.h"
+#include "renderer/film.h"
+#include "renderer/gpu_scene.h"
+#include "renderer/mended_meshes.h"
+#include "renderer/methods/registry.h"
+#include "renderer/stopwatch.h"
+#include "renderer/view.h"
+#include "renderer/vulkan/functions.h"
+#include "renderer/vulkan/passes.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::size_t kPickBatch = 256;  // rays a dispatch
+constexpr double kLeastRayOffset = 1e-4;  // of an object's radius
+
+struct Binding {
+    std::uint32_t index;
+    VkDescriptorType type;
+};
+constexpr std::array kBindings{
+    Binding{gpu::kBindTlas, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR},
+    Binding{gpu::kBindFrame, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+    Binding{gpu::kBindPrimitives, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    Binding{gpu::kBindNormals, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    Binding{gpu::kBindObjects, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    Binding{gpu::kBindAccumulation, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    Binding{gpu::kBindCounts, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    Binding{gpu::kBindDisplay, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},
+    Binding{gpu::kBindAov, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    Binding{gpu::kBindPickRays, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    Binding{gpu::kBindPickResults, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    Binding{gpu::kBindMaps, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+    Binding{gpu::kBindOpacity, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+};
+static_assert(kBindings.size() == gpu::kBindCount);
+
+std::uint32_t descriptor_count(const Binding& b, std::size_t objects) {
+    return b.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER ? static_cast<std::uint32_t>(objects) : 1u;
+}
+
+vulkan::SetLayoutHandle make_set_layout(const vulkan::Context& context, std::size_t objects) {
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    for (const Binding& b : kBindings)
+        bindings.push_back({b.index, b.type, descriptor_count(b, objects), VK_SHADER_STAGE_ALL, nullptr});
+    VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, nullptr, 0,
+                                         static_cast<std::uint32_t>(bindings.size()), bindings.data()};
+    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+    vulkan::check(vkCreateDescriptorSetLayout(context.device(), &info, nullptr, &layout),
+                  "creating a descriptor set layout");
+    return {context.device(), layout};
+}
+
+vulkan::DescriptorPoolHandle make_pool(const vulkan::Context& context, std::size_t objects) {
+    std::vector<VkDescriptorPoolSize> sizes;
+    for (const Binding& b : kBindings) sizes.push_back({b.type, descriptor_count(b, objects)});
+    VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, nullptr, 0, 1,
+                                    static_cast<std::uint32_t>(sizes.size()), sizes.data()};
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    vulkan::check(vkCreateDescriptorPool(context.device(), &info, nullptr, &pool), "creating a descriptor pool");
+    return {context.device(), pool};
+}
+
+bool decide_path(const vulkan::DeviceInfo& device, TracePath path) {
+    if (path == TracePath::ray_query && !device.ray_query)
+        throw std::invalid_argument("--path ray-query: device '" + device.name + "' has no VK_KHR_ray_query");
+    if (path == TracePath::pipeline && !device.ray_pipeline)
+        throw std::invalid_argument("--path pipeline: device '" + device.name + "' has no VK_KHR_ray_tracing_pipeline");
+    return path == TracePath::pipeline || (path == TracePath::automatic && !device.ray_query);
+}
+
+void check_size(const vulkan::Context& context, int width, int height, const char* what) {
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(context.physical_device(), &properties);
+    const auto limit = static_cast<int>(properties.limits.maxImageDimension2D);
+    if (width < 1 || height < 1 || width > limit || height > limit)
+        throw std::invalid_argument(std::string(what) + " of " + std::to_string(width) + " x " +
+                                    std::to_string(height) + ": the device takes 1 to " + std::to_string(limit) +
+                                    " a side");
+}
+
+}  // namespace
+
+struct Renderer::State {
+    vulkan::Context& context;
+    vulkan::Commands commands;
+    Scene scene;  // as rendered now: camera, lights and materials follow the setters
+    RenderSettings settings;
+    const Method* method;
+    std::map<std::string, double> parameters;
+    MendedMeshes mended;
+    FeatureRequest request;
+    Features features;
+    std::optional<GpuScene> gpu_scene;
+    Film film;
+    vulkan::Buffer frame, pick_rays, pick_results;
+    vulkan::SetLayoutHandle set_layout;
+    vulkan::DescriptorPoolHandle pool;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    vulkan::Passes passes;
+    FeatureReport report;
+    int samples = 0;
+    bool aov_is_fresh = false, picked = false;
+
+    State(vulkan::Context& c, const Scene& s, const RenderSettings& r)
+        : context(c), commands(c), scene(s), settings(r), method(&find_method(r.method)),
+          parameters(resolve_parameters(*method, r.parameters)), mended(s) {}
+
+    gpu::FrameData& frame_data() { return *frame.as<gpu::FrameData>(); }
+    PixelRect whole() const { return {0, 0, film.width(), film.height()}; }
+    void build(std::span<const HeightView> maps);
+    void make_set();
+    void make_passes();
+    void apply_parameters();
+    void write_own_bindings();
+    void run(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
+    void run_unjittered(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
+    void count_bytes();
+    void restart();
+};
+
+void Renderer::State::build(std::span<const HeightView> maps) {
+    request = {method, settings.everything, mended.any(), decide_path(context.info(), settings.path)};
+    features = derive_features(scene, request);
+    gpu_scene.emplace(context, commands, scene, maps, features, mended.traced(features.mended_creases));
+    film = Film(context, commands, settings.width, settings.height);
+    frame = vulkan::Buffer(context, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Access::host);
+    pick_rays = vulkan::Buffer(context, kPickBatch * sizeof(gpu::PickRay), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                               vulkan::Access::host);
+    pick_results = vulkan::Buffer(context, kPickBatch * sizeof(gpu::PickResult), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                  vulkan::Access::host);
+    frame_data() = {};
+    frame_data().object_count = static_cast<std::uint32_t>(scene.objects.size());
+    fill_view(frame_data(), scene.camera, scene.origin, settings.width, settings.height);
+    fill_lights(frame_data(), scene.lights, scene.environment, scene.origin);
+    make_set();
+    make_passes();
+    apply_parameters();
+}
+
+void Renderer::State::make_set() {
+    const std::size_t objects = scene.objects.size();
+    set_layout = make_set_layout(context, objects);
+    pool = make_pool(context, objects);
+    const VkDescriptorSetLayout layout = set_layout.get();
+    VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, nullptr, pool.get(), 1, &layout};
+    vulkan::check(vkAllocateDescriptorSets(context.device(), &info, &set), "allocating a descriptor set");
+    gpu_scene->write_bindings(set);
+    film.write_bindings(context.device(), set);
+    write_own_bindings();
+}
+
+void Renderer::State::write_own_bindings() {
+    const std::array<VkDescriptorBufferInfo, 3> buffers{VkDescriptorBufferInfo{frame.get(), 0, VK_WHOLE_SIZE},
+                                                        VkDescriptorBufferInfo{pick_rays.get(), 0, VK_WHOLE_SIZE},
+                                                        VkDescriptorBufferInfo{pick_results.get(), 0, VK_WHOLE_SIZE}};
+    const std::array<std::uint32_t, 3> bindings{gpu::kBindFrame, gpu::kBindPickRays, gpu::kBindPickResults};
+    std::array<VkWriteDescriptorSet, 3> writes{};
+    for (std::size_t i = 0; i < writes.size(); ++i) {
+        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        writes[i].dstSet = set;
+        writes[i].dstBinding = bindings[i];
+        writes[i].descriptorCount = 1;
+        writes[i].descriptorType = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        writes[i].pBufferInfo = &buffers[i];
+    }
+    vkUpdateDescriptorSets(context.device(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
+}
+
+void Renderer::State::make_passes() {
+    vulkan::SpecConstants constants{};
+    constants[gpu::kSpecObjects] = static_cast<std::uint32_t>(scene.objects.size());
+    constants[gpu::kSpecShadows] = features.shadows ? 1 : 0;
+    constants[gpu::kSpecOpacity] = features.opacity ? 1 : 0;
+    constants[gpu::kSpecGloss] = features.gloss ? 1 : 0;
+    constants[gpu::kSpecSky] = features.sky ? 1 : 0;
+    passes = vulkan::Passes(context, set_layout.get(), method->name, features.by_pipeline, constants);
+}
+
+void Renderer::State::apply_parameters() {
+    std::array<float, 8> values{};
+    for (std::size_t i = 0; i < method->parameters.size(); ++i)
+        values[i] = static_cast<float>(parameters.at(std::string(method->parameters[i].name)));
+    frame_data().parameters0 = {values[0], values[1], values[2], values[3]};
+    frame_data().parameters1 = {values[4], values[5], values[6], values[7]};
+    // A sampled surface is off by part of a step: shadow rays start beyond that.
+    const auto dt = parameters.find("dt");
+    gpu_scene->set_ray_offset(std::max(kLeastRayOffset, dt == parameters.end() ? 0.0 : 0.5 * dt->second));
+}
+
+void Renderer::State::run(vulkan::Pass pass, const gpu::PushData& push, int width, int height) {
+    commands.run([&](VkCommandBuffer cmd) {
+        vulkan::memory_barrier(cmd);
+        passes.record(cmd, pass, set, push, width, height);
+        vulkan::memory_barrier(cmd);
+    });
+}
+
+// Layers and picks show the method's own answer without the noise of its jitter, where it has one.
+void Renderer::State::run_unjittered(vulkan::Pass pass, const gpu::PushData& push, int width, int height) {
+    const auto saved = parameters;
+    const auto jitter = parameters.find("jitter");
+    if (jitter != parameters.end()) jitter->second = 0;
+    apply_parameters();
+    run(pass, push, width, height);
+    parameters = saved;
+    apply_parameters();
+}
+
+void Renderer::State::restart() {
+    samples = 0;
+    aov_is_fresh = false;
+    film.clear(commands, whole());
+}
+
+void Renderer::State::count_bytes() {
+    report = describe_features(scene, request, features);
+    for (Feature& f : report.features) {
+        if (f.name == "base mesh prisms") f.bytes = gpu_scene->primitive_bytes();
+        if (f.name == "displacement maps") f.bytes = gpu_scene->map_bytes();
+        if (f.name == "opacity maps" && f.built) f.bytes = gpu_scene->opacity_bytes();
+        if (f.name == "image") f.bytes = film.image_bytes();
+        if (f.name == "layers" && film.has_aov()) {
+            f.built = true;
+            f.reason = "layers were asked for";
+            f.bytes = film.aov_bytes();
+        }
+        if (f.name == "picking" && picked) {
+            f.built = true;
+            f.reason = "rays were picked";
+            f.bytes = pick_rays.bytes() + pick_results.bytes();
+        }
+        report.bytes_total += f.bytes;
+    }
+}
+
+Renderer::Renderer(vulkan::Context& context, const Scene& scene, std::span<const HeightView> maps,
+                   const RenderSettings& settings)
+    : state_(std::make_unique<State>(context, scene, settings)) {
+    if (maps.size() != scene.objects.size()) throw std::logic_error("one map per object");
+    check_size(context, settings.width, settings.height, "an image");
+    for (const HeightView& map : maps) check_size(context, map.width, map.height, "a map");
+    state_->build(maps);
+}
+
+Renderer::~Renderer() { vkDeviceWaitIdle(state_->context.device()); }
+
+UploadStats Renderer::upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions) {
+    state_->aov_is_fresh = false;
+    return state_->gpu_scene->upload(object, map, regions);
+}
+
+void Renderer::set_camera(const Camera& camera) {
+    state_->scene.camera = camera;
+    fill_view(state_->frame_data(), camera, state_->scene.origin, width(), height());
+    state_->restart();
+}
+
+void Renderer::set_lights(const std::vector<Light>& lights, const Environment& environment) {
+    State& s = *state_;
+    s.scene.lights = lights;
+    s.scene.environment = environment;
+    fill_lights(s.frame_data(), lights, environment, s.scene.origin);
+    s.features = derive_features(s.scene, s.request);
+    s.make_passes();
+    s.restart();
+}
+
+void Renderer::set_material(std::size_t object, const Material& material) {
+    State& s = *state_;
+    s.scene.objects[object].material = material;
+    s.gpu_scene->set_material(object, material);
+    const Features fresh = derive_features(s.scene, s.request);
+    if (fresh.gloss != s.features.gloss) {
+        s.features = fresh;
+        s.make_passes();
+    }
+    s.restart();
+}
+
+void Renderer::set_displacement(std::size_t object, double amplitude, double midlevel) {
+    State& s = *state_;
+    s.scene.objects[object].displacement.amplitude = amplitude;
+    s.scene.objects[object].displacement.midlevel = midlevel;
+    s.gpu_scene->set_displacement(object, amplitude, midlevel);
+    s.restart();
+}
+
+void Renderer::set_method(const std::string& name, const std::map<std::string, double>& parameters) {
+    State& s = *state_;
+    const Method& method = find_method(name);
+    s.parameters = resolve_parameters(method, parameters);
+    if (&method != s.method) {
+        s.method = &method;
+        s.request.method = &method;
+        s.features = derive_features(s.scene, s.request);
+        s.make_passes();
+    }
+    s.apply_parameters();
+    s.restart();
+}
+
+void Renderer::resize(int width, int height) {
+    State& s = *state_;
+    check_size(s.context, width, height, "an image");
+    s.settings.width = width;
+    s.settings.height = height;
+    s.film = Film(s.context, s.commands, width, height);
+    s.film.write_bindings(s.context.device(), s.set);
+    fill_view(s.frame_data(), s.scene.camera, s.scene.origin, width, height);
+    s.samples = 0;
+    s.aov_is_fresh = false;
+}
+
+void Renderer::restart() { state_->restart(); }
+
+void Renderer::restart(const PixelRect& window) {
+    state_->samples = 0;
+    state_->film.clear(state_->commands, window);
+}
+
+double Renderer::render(const PixelRect& window, Quality quality) {
+    State& s = *state_;
+    const PixelRect w{std::max(0, window.x0), std::max(0, window.y0), std::min(width(), window.x1),
+                      std::min(height(), window.y1)};
+    if (w.x0 >= w.x1 || w.y0 >= w.y1) return 0;
+    Stopwatch watch;
+    gpu::PushData push{};
+    push.offset = {w.x0, w.y0};
+    push.extent = {w.x1 - w.x0, w.y1 - w.y0};
+    push.sample_index = static_cast<std::uint32_t>(s.samples);
+    push.preview = quality == Quality::preview ? 1 : 0;
+    s.run(vulkan::Pass::beauty, push, push.extent.x, push.extent.y);
+    const PixelRect all = s.whole();
+    if (quality == Quality::full && w.x0 == 0 && w.y0 == 0 && w.x1 == all.x1 && w.y1 == all.y1) ++s.samples;
+    return watch.lap_ms();
+}
+
+double Renderer::render() { return render(state_->whole(), Quality::full); }
+
+int Renderer::samples() const { return state_->samples; }
+int Renderer::width() const { return state_->film.width(); }
+int Renderer::height() const { return state_->film.height(); }
+const Camera& Renderer::camera() const { return state_->scene.camera; }
+
+std::vector<float> Renderer::read_back(Layer layer) {
+    State& s = *state_;
+    if (layer == Layer::beauty) return s.film.beauty(s.context, s.commands);
+    if (!s.aov_is_fresh) {
+        if (!s.film.has_aov()) {
+            s.film.make_aov(s.context);
+            s.film.write_bindings(s.context.device(), s.set);
+        }
+        gpu::PushData push{};
+        push.extent = {width(), height()};
+        s.run_unjittered(vulkan::Pass::aov, push, width(), height());
+        s.aov_is_fresh = true;
+    }
+    return s.film.layer(layer);
+}
+
+std::vector<std::uint8_t> Renderer::read_back_display() {
+    return state_->film.display_pixels(state_->context, state_->commands);
+}
+
+std::vector<PickHit> Renderer::pick(std::span<const Ray> rays) {
+    State& s = *state_;
+    std::vector<PickHit> hits(rays.size());
+    for (std::size_t first = 0; first < rays.size(); first += kPickBatch) {
+        const std::size_t count = std::min(kPickBatch, rays.size() - first);
+        auto* to = s.pick_rays.as<gpu::PickRay>();
+        for (std::size_t i = 0; i < count; ++i)
+            to[i] = {rays[first + i].origin, 1e30f, glm::normalize(rays[first + i].direction), 0};
+        gpu::PushData push{};
+        push.ray_count = static_cast<std::uint32_t>(count);
+        s.run_unjittered(vulkan::Pass::pick, push, static_cast<int>(count), 1);
+        const auto* from = s.pick_results.as<gpu::PickResult>();
+        for (std::size_t i = 0; i < count; ++i) {
+            PickHit& hit = hits[first + i];
+            hit.hit = from[i].t >= 0;
+            if (!hit.hit) continue;
+            hit.object = from[i].object;
+            const FacePoint base = s.mended.on_base(from[i].object, {from[i].face, from[i].b1, from[i].b2});
+            hit.face = base.face;
+            hit.b1 = base.b1;
+            hit.b2 = base.b2;
+            hit.distance = from[i].t;
+            hit.normal = from[i].normal;
+            hit.position = to[i].origin + to[i].direction * from[i].t;
+        }
+    }
+    s.picked = s.picked || !rays.empty();
+    return hits;
+}
+
+Ray Renderer::camera_ray(double x_px, double y_px) const { return ray_through(state_->frame_data(), x_px, y_px); }
+
+const FeatureReport& Renderer::features() const {
+    state_->count_bytes();
+    return state_->report;
+}
+
+Renderer::DisplayImage Renderer::display_image() const {
+    return {state_->film.display().get(), width(), height()};
+}
+
+}  // namespace relievo
