@@ -1,5 +1,5 @@
-// Height ranges of triangles by a min-max pyramid. A node is opened only when it could widen the range found so far,
-// so the texels along a large triangle's border are rarely read.
+// Height ranges of triangles by a min-max pyramid. A node is opened only when it could widen the range found
+// so far, so the texels along a large triangle's border are rarely read.
 #include <algorithm>
 
 #include "renderer/scene/triangle_bounds.h"
@@ -25,7 +25,9 @@ HeightRange range_of(const std::uint16_t* texels, int count, HeightRange range) 
     return {static_cast<std::uint16_t>(low ^ 0x8000), static_cast<std::uint16_t>(high ^ 0x8000)};
 }
 
-int divide_up(int value, int by) { return (value + by - 1) / by; }
+int divide_up(int value, int by) {
+    return (value + by - 1) / by;
+}
 
 }  // namespace
 
@@ -33,14 +35,16 @@ HeightBounds::HeightBounds(int width, int height, const std::uint16_t* texels, W
     : width_(width), height_(height), texels_(texels), wrap_(wrap) {
     int x = divide_up(width, kBlock), y = divide_up(height, kBlock);
     for (;; x = divide_up(x, 2), y = divide_up(y, 2)) {
-        levels_.push_back({x, y, std::vector<HeightRange>(static_cast<std::size_t>(x) * static_cast<std::size_t>(y))});
+        levels_.push_back(
+            {x, y, std::vector<HeightRange>(static_cast<std::size_t>(x) * static_cast<std::size_t>(y))});
         if (x == 1 && y == 1) break;
     }
     update({0, 0, width, height});
 }
 
 void HeightBounds::update(const TexelBox& rect) {
-    TexelBox nodes{std::max(rect.x0, 0), std::max(rect.y0, 0), std::min(rect.x1, width_), std::min(rect.y1, height_)};
+    TexelBox nodes{std::max(rect.x0, 0), std::max(rect.y0, 0), std::min(rect.x1, width_),
+                   std::min(rect.y1, height_)};
     if (nodes.x0 >= nodes.x1 || nodes.y0 >= nodes.y1) return;
     nodes = {nodes.x0 / kBlock, nodes.y0 / kBlock, divide_up(nodes.x1, kBlock), divide_up(nodes.y1, kBlock)};
     read_blocks(nodes);
@@ -103,13 +107,15 @@ void HeightBounds::extend(const FootprintPiece& piece, int level, int x, int y, 
     }
 }
 
-void HeightBounds::extend_by_rows(const FootprintPiece& piece, const TexelBox& box, HeightRange& range) const {
+void HeightBounds::extend_by_rows(const FootprintPiece& piece, const TexelBox& box,
+                                  HeightRange& range) const {
     for (int y = std::max(box.y0, piece.box.y0); y < std::min(box.y1, piece.box.y1); ++y) {
         int first, last;
         piece.row(y, first, last);
         first = std::max(first, box.x0);
         last = std::min(last, box.x1);
-        if (first < last) range = range_of(texels_ + static_cast<std::ptrdiff_t>(y) * width_ + first, last - first, range);
+        if (first < last)
+            range = range_of(texels_ + static_cast<std::ptrdiff_t>(y) * width_ + first, last - first, range);
     }
 }
 

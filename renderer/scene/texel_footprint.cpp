@@ -10,8 +10,8 @@ namespace relievo {
 
 namespace {
 
-// Beyond the square [-1, 1]: half a step of the 8-bit weights that devices filter with, and four roundings of the
-// coordinate to float.
+// Beyond the square [-1, 1]: half a step of the 8-bit weights that devices filter with, and four roundings of
+// the coordinate to float.
 constexpr double kGrowth = 1.0 / 64;
 constexpr double kGrowthPerTexel = 4 * static_cast<double>(std::numeric_limits<float>::epsilon());
 // Coordinates past this many texels are not told apart; they stand for the whole map.
@@ -37,14 +37,14 @@ TexelTriangle texel_triangle(const std::array<glm::vec2, 3>& uvs, int width, int
 // Half planes of the sum, the triangle moved by -shift.
 void set_half_planes(const TexelTriangle& triangle, glm::dvec2 shift, FootprintPiece& piece) {
     const auto& t = triangle.t;
-    const double area =
-        (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x);
+    const double area = (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x);
     const double sign = area < 0 ? -1 : 1;
     for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec2 from = t[k] - shift, edge = (t[(k + 1) % 3] - t[k]) * sign;
         piece.a[k] = -edge.y;
         piece.b[k] = edge.x;
-        piece.c[k] = edge.y * from.x - edge.x * from.y + triangle.reach * (std::abs(edge.x) + std::abs(edge.y));
+        piece.c[k] =
+            edge.y * from.x - edge.x * from.y + triangle.reach * (std::abs(edge.x) + std::abs(edge.y));
     }
 }
 
@@ -54,8 +54,9 @@ void texel_span(double low, double high, double reach, int size, int& begin, int
     end = static_cast<int>(std::clamp(std::floor(high + reach) + 1, 0.0, static_cast<double>(size)));
 }
 
-// Under `clamp`, what hangs over a side of the map falls on its outermost row or column: the part of the triangle
-// past `limit` (below it where `below`) on `axis` spans this much of the other axis. False when there is none.
+// Under `clamp`, what hangs over a side of the map falls on its outermost row or column: the part of the
+// triangle past `limit` (below it where `below`) on `axis` spans this much of the other axis. False when
+// there is none.
 bool overhang(const TexelTriangle& triangle, int axis, double limit, bool below, double& low, double& high) {
     low = std::numeric_limits<double>::max(), high = -low;
     const auto past = [&](const glm::dvec2& p) { return below ? p[axis] <= limit : p[axis] >= limit; };
@@ -78,7 +79,8 @@ void clamped_span(double low, double high, double reach, int size, int& begin, i
     end = static_cast<int>(std::clamp(std::floor(high + reach), 0.0, last)) + 1;
 }
 
-std::size_t clamped_pieces(const TexelTriangle& triangle, int width, int height, std::span<FootprintPiece> pieces) {
+std::size_t clamped_pieces(const TexelTriangle& triangle, int width, int height,
+                           std::span<FootprintPiece> pieces) {
     std::size_t count = 0;
     FootprintPiece inside;
     texel_span(triangle.low.x, triangle.high.x, triangle.reach, width, inside.box.x0, inside.box.x1);
@@ -98,7 +100,8 @@ std::size_t clamped_pieces(const TexelTriangle& triangle, int width, int height,
             FootprintPiece side;
             int begin, end;
             clamped_span(low, high, triangle.reach, size[1 - axis], begin, end);
-            side.box = axis == 0 ? TexelBox{border, begin, border + 1, end} : TexelBox{begin, border, end, border + 1};
+            side.box = axis == 0 ? TexelBox{border, begin, border + 1, end}
+                                 : TexelBox{begin, border, end, border + 1};
             pieces[count++] = side;
         }
     }
@@ -108,7 +111,8 @@ std::size_t clamped_pieces(const TexelTriangle& triangle, int width, int height,
 }  // namespace
 
 Cover FootprintPiece::cover(const TexelBox& other) const {
-    if (other.x0 >= box.x1 || other.x1 <= box.x0 || other.y0 >= box.y1 || other.y1 <= box.y0) return Cover::none;
+    if (other.x0 >= box.x1 || other.x1 <= box.x0 || other.y0 >= box.y1 || other.y1 <= box.y0)
+        return Cover::none;
     bool all = other.x0 >= box.x0 && other.x1 <= box.x1 && other.y0 >= box.y0 && other.y1 <= box.y1;
     for (int k = 0; k < 3; ++k) {
         const double x0 = a[k] * other.x0, x1 = a[k] * (other.x1 - 1);
@@ -123,12 +127,20 @@ void FootprintPiece::row(int y, int& first, int& last) const {
     double low = box.x0, high = box.x1 - 1;
     for (int k = 0; k < 3; ++k) {
         const double rest = b[k] * y + c[k];
-        if (a[k] > 0) low = std::max(low, std::ceil(-rest / a[k]));
-        if (a[k] < 0) high = std::min(high, std::floor(-rest / a[k]));
-        if (a[k] == 0 && rest < 0) high = low - 1;
+        if (a[k] > 0) {
+            low = std::max(low, -rest / a[k]);
+        } else if (a[k] < 0) {
+            high = std::min(high, -rest / a[k]);
+        } else if (rest < 0) {
+            high = -1;
+        }
     }
-    first = static_cast<int>(std::min(low, static_cast<double>(box.x1)));
-    last = static_cast<int>(std::max(high, static_cast<double>(box.x0 - 1))) + 1;
+    // Rounded up and down without calls: both lie in [-1, 2^31 - 1] from here on.
+    low = std::min(low, static_cast<double>(box.x1));
+    high = std::max(high, -1.0);
+    first = static_cast<int>(low);
+    first += static_cast<double>(first) < low ? 1 : 0;
+    last = static_cast<int>(high + 1);
 }
 
 std::size_t footprint_pieces(const std::array<glm::vec2, 3>& uvs, int width, int height, Wrap wrap,

@@ -1,9 +1,10 @@
 // The texels that bilinear filtering can touch on a triangle, as convex pieces inside the map.
 //
-// In texel coordinates t = uv * size - 0.5 a point touches texel i when t lies in [i - 1, i + 1), so a triangle T
-// touches the integer points of the Minkowski sum of T and the square [-1, 1]^2. That sum is the intersection of its
-// bounding box with T's three edges' half planes, each moved out by |a| + |b|: cheap to test against a box of texels.
-// The square is a little larger than 1, so that coordinates rounded to float on the device stay inside.
+// In texel coordinates t = uv * size - 0.5 a point touches texel i when t lies in [i - 1, i + 1), so a
+// triangle T touches the integer points of the Minkowski sum of T and the square [-1, 1]^2. That sum is the
+// intersection of its bounding box with T's three edges' half planes, each moved out by |a| + |b|: cheap to
+// test against a box of texels. The square is a little larger than 1, so that coordinates rounded to float on
+// the device stay inside.
 #pragma once
 
 #include <array>
@@ -35,8 +36,8 @@ struct FootprintPiece {
 
 constexpr std::size_t kMostFootprintPieces = 16;
 
-// Fills `pieces` and returns their number, at least 1. A footprint over more map periods than there is room for is
-// the whole map. Requires finite uvs and a size of at least 1 x 1.
+// Fills `pieces` and returns their number, at least 1. A footprint over more map periods than there is room
+// for is the whole map. Requires finite uvs and a size of at least 1 x 1.
 std::size_t footprint_pieces(const std::array<glm::vec2, 3>& uvs, int width, int height, Wrap wrap,
                              std::span<FootprintPiece, kMostFootprintPieces> pieces);
 

@@ -1,5 +1,5 @@
-// Conservative heights of triangles over their texture-space footprints, and the triangles that texels touch: both
-// live, at a cost that follows the edit and not the map.
+// Conservative heights of triangles over their texture-space footprints, and the triangles that texels touch:
+// both live, at a cost that follows the edit and not the map.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ struct HeightRange {
     std::uint16_t low = 65535, high = 0;  // counts; low > high: empty
 };
 
-// A min-max pyramid over blocks of 32 x 32 texels. It reads the map through the pointer that it was given: call
-// update() with every rectangle that changed before the next range().
+// A min-max pyramid over blocks of 32 x 32 texels. It reads the map through the pointer that it was given:
+// call update() with every rectangle that changed before the next range().
 class HeightBounds {
   public:
     static constexpr int kBlock = 32;
@@ -26,13 +26,15 @@ class HeightBounds {
     // Row-major texels, row 0 at v = 0; they outlive the bounds. Requires a size of at least 1 x 1.
     HeightBounds(int width, int height, const std::uint16_t* texels, Wrap wrap);
 
-    // Reads the rectangle's blocks again (the rectangle may reach over the map). Costs as much as the rectangle.
+    // Reads the rectangle's blocks again (the rectangle may reach over the map). Costs as much as the
+    // rectangle.
     void update(const TexelBox& rect);
     // The same map at another place, its texels unchanged.
     void move(const std::uint16_t* texels) { texels_ = texels; }
 
-    // Least and greatest count of all texels that bilinear filtering touches on the triangle (texel_footprint.h).
-    // Exact over that footprint. A triangle over more than 16 map periods gets the whole map's range.
+    // Least and greatest count of all texels that bilinear filtering touches on the triangle
+    // (texel_footprint.h). Exact over that footprint. A triangle over more than 16 map periods gets the whole
+    // map's range.
     HeightRange range(const glm::vec2& uv0, const glm::vec2& uv1, const glm::vec2& uv2) const;
     HeightRange range(const Mesh& mesh, std::uint32_t face) const;
     HeightRange whole() const { return levels_.back().nodes[0]; }
@@ -54,15 +56,15 @@ class HeightBounds {
     std::vector<Level> levels_;  // from blocks to a single node
 };
 
-// Which triangles a rectangle of texels can touch: a uniform grid over the map, each cell with the footprints that
-// meet it.
+// Which triangles a rectangle of texels can touch: a uniform grid over the map, each cell with the footprints
+// that meet it.
 class TriangleLookup {
   public:
     TriangleLookup(const Mesh& mesh, int width, int height, Wrap wrap);
 
     // The faces whose footprint holds a texel of the rectangle, ascending; `faces` is cleared first. The cost
-    // follows the rectangle's cells and the faces found. The rectangle may reach over the map, which has no texels
-    // there.
+    // follows the rectangle's cells and the faces found. The rectangle may reach over the map, which has no
+    // texels there.
     void find(const TexelBox& rect, std::vector<std::uint32_t>& faces) const;
 
   private:

@@ -13,11 +13,13 @@ constexpr double kMostCellsASide = 256;
 
 }  // namespace
 
-TriangleLookup::TriangleLookup(const Mesh& mesh, int width, int height, Wrap wrap) : width_(width), height_(height) {
+TriangleLookup::TriangleLookup(const Mesh& mesh, int width, int height, Wrap wrap)
+    : width_(width), height_(height) {
     const double faces = static_cast<double>(std::max<std::size_t>(mesh.faces.size(), 1));
     const double texels = static_cast<double>(width) * static_cast<double>(height);
     const double longer = std::max(width, height);
-    cell_size_ = static_cast<int>(std::ceil(std::max({std::sqrt(texels / faces), longer / kMostCellsASide, 1.0})));
+    cell_size_ =
+        static_cast<int>(std::ceil(std::max({std::sqrt(texels / faces), longer / kMostCellsASide, 1.0})));
     cells_x_ = (width + cell_size_ - 1) / cell_size_;
     cells_y_ = (height + cell_size_ - 1) / cell_size_;
 
@@ -44,7 +46,8 @@ void TriangleLookup::insert_pieces() {
     };
     const auto cells = static_cast<std::size_t>(cells_x_) * static_cast<std::size_t>(cells_y_);
     cell_begin_.assign(cells + 1, 0);
-    for (const Piece& piece : pieces_) each_cell(piece.area, [&](std::size_t cell) { ++cell_begin_[cell + 1]; });
+    for (const Piece& piece : pieces_)
+        each_cell(piece.area, [&](std::size_t cell) { ++cell_begin_[cell + 1]; });
     for (std::size_t cell = 0; cell < cells; ++cell) cell_begin_[cell + 1] += cell_begin_[cell];
     cell_pieces_.resize(cell_begin_[cells]);
     std::vector<std::uint32_t> next(cell_begin_.begin(), cell_begin_.end() - 1);
