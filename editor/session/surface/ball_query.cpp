@@ -1,0 +1,214 @@
+// MeshSurface::texels_in_ball. Faces near the ball come from the tree; each one's footprint is walked row by
+// row, and of a row only the columns whose point can be in the ball: the base point moves linearly along a
+// row, and displacement moves it sideways by at most the height times the sine of the normals' spread, so
+// that the columns solve one quadratic. Runs of columns are sorted before they are evaluated, so that the
+// texels come out in order.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <tuple>
+
+#include "editor/session/surface/mesh_surface.h"
+#include "editor/session/surface/texel_triangle.h"
+
+namespace relievo {
+namespace {
+
+// A linear function of texel space: value + dx * (x - x0) + dy * (y - y0).
+struct Gradient {
+    glm::dvec3 value, dx, dy;
+
+    glm::dvec3 at(double x, double y) const { return value + dx * x + dy * y; }
+};
+
+Gradient gradient(const TexelTriangle& t, const std::array<glm::dvec3, 3>& v, glm::dvec2 origin) {
+    const double scale = 1 / t.doubled_area();
+    const glm::dvec2 e1 = t.p[1] - t.p[0], e2 = t.p[2] - t.p[0];
+    const glm::dvec3 d1 = v[1] - v[0], d2 = v[2] - v[0];
+    const glm::dvec3 dx = (d1 * e2.y - d2 * e1.y) * scale, dy = (d2 * e1.x - d1 * e2.x) * scale;
+    const glm::dvec2 back = origin - t.p[0];
+    return {v[0] + dx * back.x + dy * back.y, dx, dy};
+}
+
+struct NearFace {
+    std::uint32_t face;
+    std::int64_t x0, y0;        // the integer point that the gradients start at
+    Gradient position, normal;  // of the base triangle, per texel
+};
+
+// Texels of one face in one row of the map, side by side.
+struct Run {
+    std::int32_t y, x;  // of the map
+    std::int32_t count;
+    std::uint32_t slot;        // of NearFace
+    std::int64_t column, row;  // before the wrap
+
+    bool operator<(const Run& r) const {
+        return std::tie(y, x, slot, column, row) < std::tie(r.y, r.x, r.slot, r.column, r.row);
+    }
+};
+
+bool before(const SurfaceTexel& a, const SurfaceTexel& b) {
+    return std::tie(a.y, a.x, a.distance) < std::tie(b.y, b.x, b.distance);
+}
+
+}  // namespace
+
+class BallQuery {
+  public:
+    BallQuery(const MeshSurface& surface, glm::vec3 centre, float radius)
+        : s_(surface), centre_(centre), radius_(radius) {
+        const double a = static_cast<double>(s_.amplitude_), middle = a * static_cast<double>(s_.midlevel_);
+        lowest_ = std::min(-middle, a - middle);
+        highest_ = std::max(-middle, a - middle);
+        reach_ = std::max(std::abs(lowest_), std::abs(highest_));
+    }
+
+    void run(std::vector<SurfaceTexel>& out) {
+        std::vector<std::uint32_t> faces;
+        s_.tree_.near(centre_, static_cast<float>((static_cast<double>(radius_) + reach_) * 1.00001), faces);
+        std::sort(faces.begin(), faces.end());
+        for (const std::uint32_t face : faces) add_face(face);
+        std::sort(runs_.begin(), runs_.end());
+        std::size_t texels = 0;
+        for (const Run& r : runs_) texels += static_cast<std::size_t>(r.count);
+        out.reserve(texels);
+        for (std::size_t i = 0; i < runs_.size();) i = evaluate_row(i, out);
+    }
+
+  private:
+    bool out_of_slab(std::uint32_t face, const std::array<glm::dvec3, 3>& p) const {
+        const MeshSurface::NormalCone& cone = s_.cones_[face];
+        if (cone.cosine <= 0) return false;
+        const glm::dvec3 axis(cone.axis), c(centre_);
+        const double a = glm::dot(axis, p[0] - c), b = glm::dot(axis, p[1] - c), d = glm::dot(axis, p[2] - c);
+        const auto [low, high] = std::minmax({a, b, d});
+        const double cosine = static_cast<double>(cone.cosine), r = static_cast<double>(radius_);
+        const double sink = std::min(lowest_, lowest_ * cosine), rise = std::max(highest_, highest_ * cosine);
+        const double slack = 1e-5 * (r + reach_ + std::abs(low) + std::abs(high));
+        return low + sink > r + slack || high + rise < -r - slack;
+    }
+
+    void add_face(std::uint32_t face) {
+        const TexelTriangle triangle = texel_triangle(s_.mesh_, face, s_.grid_);
+        if (!can_rasterise(triangle, s_.grid_)) return;
+        std::array<glm::dvec3, 3> p, n;
+        for (std::size_t i = 0; i < 3; ++i) {
+            p[i] = glm::dvec3(s_.mesh_.positions[s_.mesh_.faces[face].position[i]]);
+            n[i] = glm::dvec3(s_.mesh_.normals[s_.mesh_.faces[face].position[i]]);
+        }
+        if (out_of_slab(face, p)) return;
+        const auto x0 = static_cast<std::int64_t>(std::floor(triangle.p[0].x));
+        const auto y0 = static_cast<std::int64_t>(std::floor(triangle.p[0].y));
+        const glm::dvec2 origin(static_cast<double>(x0), static_cast<double>(y0));
+        const NearFace near{face, x0, y0, gradient(triangle, p, origin), gradient(triangle, n, origin)};
+        const auto slot = static_cast<std::uint32_t>(faces_.size());
+        const std::size_t runs_before = runs_.size();
+        const TexelSpan rows = clipped(triangle.rows(), s_.grid_.height, s_.grid_.wrap);
+        for (std::int64_t y = rows.first; y <= rows.last; ++y) {
+            const std::optional<TexelSpan> reached = columns_in_reach(near, y);
+            if (!reached) continue;
+            TexelSpan span = clipped(triangle.columns(y), s_.grid_.width, s_.grid_.wrap);
+            span = {std::max(span.first, reached->first), std::min(span.last, reached->last)};
+            if (span.first <= span.last) add_runs(slot, y, span);
+        }
+        if (runs_.size() > runs_before) faces_.push_back(near);
+    }
+
+    // The columns of a row whose base point is near enough, seen along the cone's axis.
+    std::optional<TexelSpan> columns_in_reach(const NearFace& near, std::int64_t y) const {
+        const MeshSurface::NormalCone& cone = s_.cones_[near.face];
+        const glm::dvec3 axis(cone.axis);
+        glm::dvec3 start = near.position.at(0, static_cast<double>(y - near.y0)) - glm::dvec3(centre_);
+        glm::dvec3 step = near.position.dx;
+        const double scale = glm::length(start);
+        if (cone.cosine > 0) {
+            start -= axis * glm::dot(axis, start);
+            step -= axis * glm::dot(axis, step);
+        }
+        const double reach = static_cast<double>(radius_) + reach_ * static_cast<double>(cone.spread) +
+                             1e-5 * (reach_ + scale);
+        const double a = glm::dot(step, step), b = glm::dot(start, step),
+                     c = glm::dot(start, start) - reach * reach;
+        const double root = b * b - a * c;
+        constexpr double kFar = 1e15;
+        if (!(a > 0)) return c > 0 ? std::nullopt : std::optional(TexelSpan{-(1LL << 60), 1LL << 60});
+        if (root < 0) return std::nullopt;
+        const double low = std::clamp((-b - std::sqrt(root)) / a, -kFar, kFar);
+        const double high = std::clamp((-b + std::sqrt(root)) / a, -kFar, kFar);
+        return TexelSpan{near.x0 + static_cast<std::int64_t>(std::floor(low)),
+                         near.x0 + static_cast<std::int64_t>(std::ceil(high))};
+    }
+
+    void add_runs(std::uint32_t slot, std::int64_t row, TexelSpan span) {
+        const std::int64_t width = s_.grid_.width;
+        const auto y = static_cast<std::int32_t>(MapGrid::wrapped(row, s_.grid_.height));
+        while (span.first <= span.last) {
+            const std::int64_t x = MapGrid::wrapped(span.first, width);
+            const std::int64_t count = std::min(span.last - span.first + 1, width - x);
+            runs_.push_back(
+                {y, static_cast<std::int32_t>(x), static_cast<std::int32_t>(count), slot, span.first, row});
+            span.first += count;
+        }
+    }
+
+    // Evaluates the runs of one row of the map, from run `first` on; returns the next row's first run.
+    std::size_t evaluate_row(std::size_t first, std::vector<SurfaceTexel>& out) const {
+        const std::size_t begin = out.size();
+        const std::int32_t y = runs_[first].y;
+        std::int32_t end_x = -1;
+        bool overlap = false;
+        std::size_t i = first;
+        for (; i < runs_.size() && runs_[i].y == y; ++i) {
+            overlap = overlap || runs_[i].x < end_x;
+            end_x = std::max(end_x, runs_[i].x + runs_[i].count);
+            evaluate(runs_[i], out);
+        }
+        if (overlap) {  // a texel centre on a shared edge, or footprints that overlap: the nearest point
+                        // stays
+            const auto row = out.begin() + static_cast<std::ptrdiff_t>(begin);
+            if (!std::is_sorted(row, out.end(), before)) std::stable_sort(row, out.end(), before);
+            const auto same = [](const SurfaceTexel& a, const SurfaceTexel& b) { return a.x == b.x; };
+            out.erase(std::unique(row, out.end(), same), out.end());
+        }
+        return i;
+    }
+
+    void evaluate(const Run& run, std::vector<SurfaceTexel>& out) const {
+        const NearFace& near = faces_[run.slot];
+        const auto x = static_cast<double>(run.column - near.x0), y = static_cast<double>(run.row - near.y0);
+        const glm::vec3 p0(near.position.at(x, y)), dp(near.position.dx), n0(near.normal.at(x, y)),
+            dn(near.normal.dx);
+        const float scale = s_.amplitude_ / 65535.0f, middle = s_.amplitude_ * s_.midlevel_;
+        const float limit = radius_ * radius_;
+        const std::uint16_t* counts = &s_.map_.texels()[s_.map_.index(run.x, run.y)];
+        for (std::int32_t k = 0; k < run.count; ++k) {
+            const auto step = static_cast<float>(k);
+            glm::vec3 normal = n0 + step * dn;
+            const float square = glm::dot(normal, normal);
+            normal = square > 1e-12f ? normal * (1 / std::sqrt(square)) : s_.fallback_normal(near.face);
+            const glm::vec3 position =
+                p0 + step * dp + (scale * static_cast<float>(counts[k]) - middle) * normal;
+            const glm::vec3 away = position - centre_;
+            const float distance = glm::dot(away, away);
+            if (distance < limit) out.push_back({run.x + k, run.y, std::sqrt(distance), position, normal});
+        }
+    }
+
+    const MeshSurface& s_;
+    glm::vec3 centre_;
+    float radius_;
+    double lowest_, highest_, reach_;  // of the displacement, world units
+    std::vector<NearFace> faces_;
+    std::vector<Run> runs_;
+};
+
+void MeshSurface::texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const {
+    out.clear();
+    const bool finite = std::isfinite(centre.x + centre.y + centre.z) && std::isfinite(radius);
+    if (!finite || !(radius > 0)) return;
+    BallQuery(*this, centre, radius).run(out);
+}
+
+}  // namespace relievo

@@ -1,0 +1,143 @@
+#include "editor/session/surface/uv_borders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <tuple>
+
+namespace relievo {
+namespace {
+
+struct HalfEdge {
+    std::uint32_t low, high;  // positions
+    std::uint32_t face, corner;
+
+    auto key() const { return std::tie(low, high); }
+};
+
+std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh) {
+    std::vector<HalfEdge> edges;
+    edges.reserve(mesh.faces.size() * 3);
+    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+        const auto& p = mesh.faces[face].position;
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const std::uint32_t a = p[i], b = p[(i + 1) % 3];
+            if (a != b) edges.push_back({std::min(a, b), std::max(a, b), face, i});
+        }
+    }
+    std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+        return std::tie(a.low, a.high, a.face, a.corner) < std::tie(b.low, b.high, b.face, b.corner);
+    });
+    return edges;
+}
+
+UvSide side(const Mesh& mesh, const MapGrid& grid, const HalfEdge& edge) {
+    const Mesh::Face& face = mesh.faces[edge.face];
+    const std::uint32_t i = edge.corner;
+    UvSide s{edge.face, grid.texel_from_uv(mesh.uvs[face.uv[i]]),
+             grid.texel_from_uv(mesh.uvs[face.uv[(i + 1) % 3]]),
+             grid.texel_from_uv(mesh.uvs[face.uv[(i + 2) % 3]])};
+    if (face.position[i] != edge.low) std::swap(s.from, s.to);
+    return s;
+}
+
+// The same texels on both sides: equal, or under repeat a whole number of maps apart.
+bool same_place(const UvSide& a, const UvSide& b, const MapGrid& grid) {
+    const glm::dvec2 from = a.from - b.from, to = a.to - b.to;
+    if (from != to) return false;
+    if (grid.wrap == Wrap::clamp) return from == glm::dvec2(0);
+    return std::fmod(from.x, grid.width) == 0 && std::fmod(from.y, grid.height) == 0;
+}
+
+struct Axis {
+    glm::length_t index = 0;  // 0: along a row, 1: along a column
+    double length = 0;        // signed, texels
+    double inside = 0;        // across the edge, the sign of the island's inside
+};
+
+// index of the axis that the side runs along; length 0 where it runs along none or has no inside.
+Axis axis_of(const UvSide& s) {
+    const glm::dvec2 d = s.to - s.from;
+    Axis axis;
+    if (std::abs(d.x) < kTexelSlack) axis.index = 1;
+    const double across = d[1 - axis.index];
+    const double inside = s.inner[1 - axis.index] - s.from[1 - axis.index];
+    if (std::abs(across) >= kTexelSlack || std::abs(inside) < kTexelSlack) return axis;
+    axis.length = d[axis.index];
+    axis.inside = inside > 0 ? 1 : -1;
+    return axis;
+}
+
+// The isometry before its translation is rounded to whole texels.
+struct Placement {
+    TexelIsometry turn;  // tx = ty = 0
+    glm::dvec2 shift;
+};
+
+Placement place(const UvSeam& seam) {
+    const Axis a = axis_of(seam.a), b = axis_of(seam.b);
+    const std::int64_t along = (a.length > 0) == (b.length > 0) ? 1 : -1,
+                       flip = a.inside == b.inside ? -1 : 1;
+    Placement p{};
+    if (a.index == b.index) {
+        p.turn.xx = a.index == 0 ? along : flip;
+        p.turn.yy = a.index == 0 ? flip : along;
+    } else {
+        p.turn.yx = a.index == 0 ? along : flip;
+        p.turn.xy = a.index == 0 ? flip : along;
+    }
+    const glm::dvec2 from(snapped(seam.a.from.x), snapped(seam.a.from.y));
+    p.shift = glm::dvec2(snapped(seam.b.from.x), snapped(seam.b.from.y)) -
+              glm::dvec2(static_cast<double>(p.turn.xx) * from.x + static_cast<double>(p.turn.xy) * from.y,
+                         static_cast<double>(p.turn.yx) * from.x + static_cast<double>(p.turn.yy) * from.y);
+    return p;
+}
+
+bool is_aligned(const UvSeam& seam) {
+    const Axis a = axis_of(seam.a), b = axis_of(seam.b);
+    if (std::abs(a.length) < kTexelSlack || std::abs(b.length) < kTexelSlack) return false;
+    if (std::abs(std::abs(a.length) - std::abs(b.length)) >= kTexelSlack) return false;
+    const glm::dvec2 shift = place(seam).shift;
+    return std::abs(shift.x - std::round(shift.x)) < kTexelSlack &&
+           std::abs(shift.y - std::round(shift.y)) < kTexelSlack;
+}
+
+}  // namespace
+
+double UvSide::length() const {
+    return glm::length(to - from);
+}
+
+double snapped(double texel_coordinate) {
+    const double grid = std::round(texel_coordinate * 256) / 256;
+    return std::abs(grid - texel_coordinate) < kTexelSlack / 2 ? grid : texel_coordinate;
+}
+
+TexelIsometry across(const UvSeam& seam) {
+    Placement p = place(seam);
+    p.turn.tx = std::llround(p.shift.x);
+    p.turn.ty = std::llround(p.shift.y);
+    return p.turn;
+}
+
+UvBorders find_uv_borders(const Mesh& mesh, const MapGrid& grid) {
+    UvBorders borders;
+    const std::vector<HalfEdge> edges = sorted_half_edges(mesh);
+    for (std::size_t first = 0, last; first < edges.size(); first = last) {
+        for (last = first + 1; last < edges.size() && edges[last].key() == edges[first].key();) ++last;
+        if (last - first != 2) {
+            for (std::size_t i = first; i < last; ++i) borders.open.push_back(side(mesh, grid, edges[i]));
+            continue;
+        }
+        UvSeam seam{{edges[first].low, edges[first].high},
+                    side(mesh, grid, edges[first]),
+                    side(mesh, grid, edges[first + 1]),
+                    false};
+        if (same_place(seam.a, seam.b, grid)) continue;
+        seam.aligned = is_aligned(seam);
+        borders.seams.push_back(seam);
+    }
+    return borders;
+}
+
+}  // namespace relievo

@@ -1,0 +1,56 @@
+// Small meshes with known texture layouts, for the tests of the brush's view.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <random>
+#include <vector>
+
+#include "brushes/height_map.h"
+#include "brushes/surface.h"
+#include "renderer/scene/mesh.h"
+#include "renderer/scene/scene.h"
+
+namespace relievo::test {
+
+// Collects quads and triangles whose corners are given by place, welds equal positions, and smooths the
+// normals.
+class MeshBuilder {
+  public:
+    struct Corner {
+        glm::vec3 position;
+        glm::vec2 uv;
+    };
+    void triangle(const Corner& a, const Corner& b, const Corner& c);
+    void quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d);  // around
+    Mesh build() const;
+
+  private:
+    std::vector<std::array<Corner, 3>> triangles_;
+};
+
+// The unit square in z = 0, uv = xy.
+Mesh plane();
+
+// A box grid of a x b x c cells projected to the unit sphere: six islands of k/cells_a_side of the map, four
+// cells apart at least, on multiples of 1/64. `order` shuffles, turns and mirrors the islands.
+Mesh box_sphere(int a, int b, int c, unsigned order = 0);
+
+// A flat strip cut across: cells in x with height 1, the part right of the middle turned by `turn` radians
+// and scaled in the map. No island is near another.
+Mesh cut_strip(double turn, double scale);
+
+// An open cylinder about z, unrolled into one island with one seam; `cells` around.
+Mesh cut_cylinder(int cells);
+
+std::mt19937 generator(unsigned seed);
+HeightMap random_map(int width, int height, unsigned seed);
+
+// Copies every source over its gutters.
+void apply_copies(HeightMap& map, const SeamTable& table);
+
+Displacement displacement(double amplitude, double midlevel = 0.5, Wrap wrap = Wrap::repeat);
+
+}  // namespace relievo::test
