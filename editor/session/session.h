@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,7 +12,10 @@
 #include "brushes/brush.h"
 #include "brushes/height_map.h"
 #include "brushes/map_file.h"
+#include "brushes/surface.h"
+#include "editor/session/journal.h"
 #include "renderer/renderer.h"
+#include "renderer/scene/scene.h"
 
 namespace relievo {
 
@@ -19,12 +23,14 @@ struct SessionOptions {
     std::string device;
     bool validation = false;
     bool for_window = false;
-    bool with_renderer = true;              // false: edit maps without any Vulkan device
-    std::size_t undo_budget = std::size_t{512} << 20;
-    std::filesystem::path journal;          // empty: no journal is written
-    std::string method;                     // empty: the scene's, else the registry's default
-    std::map<std::string, double> parameters;
-    int width = 0, height = 0;              // 0: the scene's
+    bool with_renderer = true;                         // false: edit maps without any Vulkan device
+    std::size_t undo_budget = std::size_t{512} << 20;  // bytes
+    std::filesystem::path journal;                     // a new file to record the session in; empty: none
+    bool recovery = false;      // also record it in the user's state folder (recovery.h)
+    std::filesystem::path map;  // start from this map instead of the scene's; save() still means the scene's
+    std::string method;         // empty: the scene's, else the registry's default
+    std::map<std::string, double> parameters;  // of the method, over the scene's
+    int width = 0, height = 0;                 // pixels; 0: the scene's
     TracePath path = TracePath::automatic;
 };
 
@@ -34,32 +40,49 @@ struct StageTimes {  // milliseconds of the last dab or frame
 
 class Session {
   public:
+    // Throws std::invalid_argument on bad input (scene, mesh, map, journal path, method), std::runtime_error
+    // when Vulkan fails or has no device.
     Session(const std::filesystem::path& scene_file, const SessionOptions& options);
+    // Removes the recovery journal when nothing is unsaved; else it stays for the next start.
     ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
 
-    const Scene& scene() const;
-    HeightMap& map();  // of the edited object: objects[0]
+    const Scene& scene() const;  // as set() left it
+    HeightMap& map();            // of the edited object: objects[0]
+    const HeightMap& map() const;
     const Surface& surface() const;
+    bool has_renderer() const;
     Renderer& renderer();  // throws std::logic_error without one
     vulkan::Context& context();
     const StageTimes& times() const;
 
-    // The brush that the next stroke takes.
+    // What a journal of this session starts with; its `scene` is absolute.
+    const JournalHeader& header() const;
+
+    // The brush that the next stroke takes. Its first radius is a tenth of the edited mesh's.
     Brush& brush();
 
-    // Commands. Each is journaled when it is complete; a stroke is written and flushed at its end.
-    void begin_stroke();                 // with brush()
-    void dab(const Dab& dab);
+    // Commands. Each is journaled when it is complete; a stroke is written and flushed at its end, with its
+    // dabs; one without dabs leaves no trace. All but dab, end_stroke and cancel_stroke throw
+    // std::logic_error in a stroke.
+    void begin_stroke();       // with brush(); std::invalid_argument when a setting is out of its range
+    void dab(const Dab& dab);  // std::out_of_range when the mesh has no such face
     void end_stroke();
     void cancel_stroke();
     bool in_stroke() const;
     bool undo();  // false: nothing to undo
     bool redo();
-    void set(const std::string& key, double value);  // "amplitude", "midlevel", "method.dt", ...
-    void save(const std::filesystem::path& path);    // the map; format by extension, the origin's kept where equal
-    void revert();
+    void set(const std::string& key, const SetValue& value);  // keys: settings.h; std::invalid_argument
+    void set_camera(const Camera& camera);
+    // Writes the map. The extension names the format; metadata and exact values of the file that was loaded
+    // are kept where the format is the same. std::invalid_argument when it cannot be written: the old file
+    // stays whole.
+    void save(const std::filesystem::path& path);
+    // Undoes or redoes back to what was last saved or loaded. False when those steps were dropped for memory.
+    bool revert();
 
-    bool unsaved() const;
+    bool unsaved() const;  // the map differs from what was last saved or loaded
     bool can_undo() const;
     bool can_redo() const;
     std::size_t undo_bytes() const;
@@ -67,12 +90,24 @@ class Session {
     std::size_t clipped_texels() const;
     std::optional<std::filesystem::path> map_path() const;  // where save() last wrote or the map came from
 
-    // Called after map texels changed on the screen: the world-space ball that changed.
+    // The map as it is now is what `path` holds: replaying the record of a save says so.
+    void confirm_saved(const std::filesystem::path& path);
+    // The user chose to lose what is unsaved: the recovery journal goes.
+    void discard_recovery();
+    // Why a journal could not be written (a full disk, say); empty while all is well. The session goes on
+    // without.
+    std::string journal_error() const;
+
+    // The ball of the displaced surface that the last dab of the stroke may have changed (rebased world
+    // space).
     struct Touched {
         glm::vec3 centre;
         float radius;
     };
-    std::optional<Touched> last_dab() const;
+    std::optional<Touched> last_dab() const;  // empty before a stroke's first dab
+
+    // Traces a window afresh in preview quality, and times it as trace_ms. Needs a renderer.
+    void trace(const PixelRect& window);
 
   private:
     struct State;

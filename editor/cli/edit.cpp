@@ -1,0 +1,43 @@
+// relievo edit [SCENE]: the window.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+
+#include "editor/cli/verbs.h"
+
+namespace relievo {
+namespace {
+
+struct EditOptions {
+    std::string scene, journal;
+    CommonOptions common;
+    MethodOptions method;
+};
+
+int run_edit(const EditOptions& options, const EditorEntry& editor) {
+    EditRequest request{options.scene, session_options(options.common, options.method)};
+    request.session.for_window = true;
+    request.session.recovery = true;
+    request.session.journal = options.journal;
+    if (!editor)
+        throw std::runtime_error(
+            "this build has no window; install libglfw3-dev and libimgui-dev and build again, or use render "
+            "and replay");
+    return editor(request);
+}
+
+}  // namespace
+
+void add_edit(CLI::App& app, Command& command, const EditorEntry& editor) {
+    CLI::App& verb = *app.add_subcommand("edit", "Sculpt in a window (what relievo does without a verb)");
+    const auto options = std::make_shared<EditOptions>();
+    verb.add_option("SCENE", options->scene, "Scene file (JSON)");
+    verb.add_option("--journal", options->journal, "Record the session in this new file")->type_name("FILE");
+    add_common(verb, options->common);
+    add_method(verb, options->method);
+    verb.callback([options, &command, &editor] {
+        command = [options, &editor] { return run_edit(*options, editor); };
+    });
+}
+
+}  // namespace relievo

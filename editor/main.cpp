@@ -1,0 +1,16 @@
+// The program: the command line, with the window behind its verb `edit`.
+#include "editor/cli/cli.h"
+
+#ifdef RELIEVO_HAS_WINDOW
+#include "editor/gui/editor.h"
+#endif
+
+int main(int argc, char** argv) {
+    relievo::EditorEntry editor;
+#ifdef RELIEVO_HAS_WINDOW
+    editor = [](const relievo::EditRequest& request) {
+        return relievo::run_editor(relievo::EditorOptions{request.scene, request.session});
+    };
+#endif
+    return relievo::run_cli(argc, argv, editor);
+}

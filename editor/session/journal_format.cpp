@@ -1,0 +1,143 @@
+// Writes journal lines. By hand rather than through a JSON tree: floats must come out in their shortest form
+// that reads back to the same bits, which a tree of doubles cannot know.
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "editor/session/journal.h"
+
+namespace relievo {
+namespace {
+
+std::string quoted(const std::string& text) {
+    try {
+        return nlohmann::json(text).dump();
+    } catch (const nlohmann::json::exception&) {
+        throw std::invalid_argument("a name in the journal is not UTF-8: rename the file or folder");
+    }
+}
+
+std::string quoted(const std::filesystem::path& path) {
+    return quoted(path.generic_string());
+}
+
+template <typename Number>
+std::string shortest(Number value) {
+    char text[40];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    return {text, end};
+}
+
+std::string number(double value) {
+    if (!std::isfinite(value)) throw std::invalid_argument("a number in the journal must be finite");
+    return shortest(value);
+}
+
+// Readers parse a double and round it to float; where that second rounding would miss, the double's digits
+// are written instead of the float's.
+std::string number(float value) {
+    const std::string text = shortest(value);
+    double parsed = 0;
+    std::from_chars(text.data(), text.data() + text.size(), parsed);
+    return static_cast<float>(parsed) == value ? text : number(static_cast<double>(value));
+}
+
+std::string brush_object(const Brush& brush) {
+    std::string text = "{\"tool\":\"";
+    for (const ToolInfo& tool : tools())
+        if (tool.tool == brush.tool) text += tool.name;
+    text += "\",\"falloff\":\"";
+    text += falloff_names()[static_cast<std::size_t>(brush.falloff)];
+    text += "\",\"invert\":";
+    text += brush.invert ? "true" : "false";
+    for (const BrushParameter& parameter : brush_parameters()) {
+        text += ",\"";
+        text += parameter.name;
+        text += "\":" + number(brush.*parameter.value);
+    }
+    return text + "}";
+}
+
+std::string dab_array(const Dab& dab) {
+    return "[" + shortest(dab.time_us) + "," + shortest(dab.face) + "," + shortest(dab.b1) + "," +
+           shortest(dab.b2) + "," + shortest(dab.pressure) + "]";
+}
+
+std::string render_options(const std::optional<int>& spp, const std::optional<ImageSize>& size) {
+    std::string text;
+    if (spp) text += ",\"spp\":" + shortest(*spp);
+    if (size) text += ",\"size\":[" + shortest(size->width) + "," + shortest(size->height) + "]";
+    return text;
+}
+
+struct Formatter {
+    std::string operator()(const StrokeOp& op) const {
+        std::string text = R"({"op":"stroke","brush":)" + brush_object(op.brush) + ",\"dabs\":[";
+        for (std::size_t i = 0; i < op.dabs.size(); ++i) {
+            if (i > 0) text += ",";
+            text += dab_array(op.dabs[i]);
+        }
+        return text + "]}";
+    }
+    std::string operator()(const UndoOp&) const { return R"({"op":"undo"})"; }
+    std::string operator()(const RedoOp&) const { return R"({"op":"redo"})"; }
+    std::string operator()(const SetOp& op) const {
+        std::string text = R"({"op":"set","key":)" + quoted(op.key) + ",\"value\":";
+        if (const auto* value = std::get_if<double>(&op.value)) {
+            text += number(*value);
+        } else if (const auto* word = std::get_if<std::string>(&op.value)) {
+            text += quoted(*word);
+        } else {
+            const auto& vector = std::get<std::vector<double>>(op.value);
+            text += "[";
+            for (std::size_t i = 0; i < vector.size(); ++i) text += (i > 0 ? "," : "") + number(vector[i]);
+            text += "]";
+        }
+        return text + "}";
+    }
+    std::string operator()(const ExpectOp& op) const {
+        return R"({"op":"expect","map":")" + hash_text(op.map) + "\"}";
+    }
+    std::string operator()(const ExpectImageOp& op) const {
+        return R"({"op":"expect_image","image":)" + quoted(op.image) +
+               ",\"tolerance\":" + number(op.tolerance) + render_options(op.spp, op.size) + "}";
+    }
+    std::string operator()(const RenderOp& op) const {
+        return R"({"op":"render","out":)" + quoted(op.out) + render_options(op.spp, op.size) + "}";
+    }
+    std::string operator()(const SaveOp& op) const {
+        std::string text = R"({"op":"save","path":)" + quoted(op.path);
+        if (op.map) text += ",\"map\":\"" + hash_text(*op.map) + "\"";
+        return text + "}";
+    }
+};
+
+}  // namespace
+
+std::string hash_text(std::uint64_t hash) {
+    char text[16];
+    const auto end = std::to_chars(text, text + sizeof text, hash, 16).ptr;
+    const std::string digits(text, end);
+    return std::string(16 - digits.size(), '0') + digits;
+}
+
+std::string format_header(const JournalHeader& header) {
+    std::string text = R"({"relievo_journal":1)";
+    if (!header.version.empty()) text += ",\"version\":" + quoted(header.version);
+    if (!header.scene.empty()) text += ",\"scene\":" + quoted(header.scene);
+    if (header.mesh_hash) text += ",\"mesh_hash\":\"" + hash_text(*header.mesh_hash) + "\"";
+    if (header.map_hash) text += ",\"map_hash\":\"" + hash_text(*header.map_hash) + "\"";
+    if (header.map_width && header.map_height)
+        text += ",\"map_size\":[" + shortest(*header.map_width) + "," + shortest(*header.map_height) + "]";
+    if (header.midlevel) text += ",\"midlevel\":" + number(*header.midlevel);
+    if (header.amplitude) text += ",\"amplitude\":" + number(*header.amplitude);
+    if (header.undo_budget) text += ",\"undo_budget\":" + shortest(*header.undo_budget);
+    return text + "}";
+}
+
+std::string format_op(const JournalOp& op) {
+    return std::visit(Formatter{}, op);
+}
+
+}  // namespace relievo

@@ -1,0 +1,62 @@
+// Where a session's operations are recorded: in the file that the user named, in the recovery journal, or
+// both.
+#include "editor/session/recorder.h"
+
+#include <exception>
+
+#include "editor/session/recovery.h"
+
+namespace relievo {
+namespace fs = std::filesystem;
+
+Recorder::Recorder(const JournalHeader& header, const fs::path& journal, bool recovery)
+    : header_(header), recovery_wanted_(recovery) {
+    if (journal.empty()) return;
+    JournalHeader relative = header;
+    const fs::path folder = fs::absolute(journal).parent_path();
+    if (fs::path scene = header.scene.lexically_relative(folder); !scene.empty()) relative.scene = scene;
+    journal_ = std::make_unique<JournalWriter>(journal, relative);
+}
+
+Recorder::~Recorder() = default;
+
+void Recorder::record(const JournalOp& op) {
+    try {
+        if (recovery_wanted_ && !recovery_) open_recovery();
+        if (recovery_) recovery_->append(op);
+        if (journal_) journal_->append(op);
+    } catch (const std::exception& error) {
+        trouble_ = error.what();
+    }
+}
+
+void Recorder::keep_base(const fs::path& map) {
+    try {
+        if (recovery_wanted_ && !recovery_) open_recovery();
+        if (recovery_) keep_base_map(recovery_->path(), map);
+    } catch (const std::exception& error) {
+        trouble_ = error.what();
+    }
+}
+
+void Recorder::open_recovery() {
+    recovery_wanted_ = false;  // one attempt: a folder that cannot be written stays so
+    recovery_ = std::make_unique<JournalWriter>(new_recovery_journal(header_.scene), header_);
+    if (!start_map_.empty()) keep_base_map(recovery_->path(), start_map_);
+}
+
+void Recorder::discard_recovery() {
+    recovery_wanted_ = false;
+    if (!recovery_) return;
+    const fs::path path = recovery_->path();
+    recovery_.reset();
+    remove_recovery(path);
+}
+
+std::string Recorder::error() const {
+    if (journal_ && !journal_->error().empty()) return journal_->error();
+    if (recovery_ && !recovery_->error().empty()) return recovery_->error();
+    return trouble_;
+}
+
+}  // namespace relievo

@@ -1,0 +1,41 @@
+// Where a session's operations are recorded: in the file that the user named, in the recovery journal, or
+// both.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "editor/session/journal_writer.h"
+
+namespace relievo {
+
+class Recorder {
+  public:
+    // `header.scene` is absolute. `journal` empty: no file of the user's. The recovery journal appears with
+    // the first operation. Throws std::invalid_argument when `journal` cannot be started.
+    Recorder(const JournalHeader& header, const std::filesystem::path& journal, bool recovery);
+    ~Recorder();
+
+    // `start_map`, when not empty, is a map file that the recovery journal must be replayed on instead of the
+    // scene's.
+    void set_start_map(const std::filesystem::path& start_map) { start_map_ = start_map; }
+
+    // Never throws for trouble with files: error() tells, and the session goes on.
+    void record(const JournalOp& op);
+    // Call before a save replaces `map`, the file that the session started from.
+    void keep_base(const std::filesystem::path& map);
+    void discard_recovery();
+    std::string error() const;
+
+  private:
+    void open_recovery();
+
+    JournalHeader header_;
+    std::filesystem::path start_map_;
+    bool recovery_wanted_;
+    std::unique_ptr<JournalWriter> journal_, recovery_;
+    std::string trouble_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,125 @@
+// Crash recovery: every windowed session journals into the user's state folder; the next start finds what a
+// killed program left there.
+#include "editor/session/recovery.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace relievo {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kJournalExtension = ".jsonl";
+
+// Base maps keep their extension (it names their format): NAME.base.png beside NAME.jsonl.
+fs::path base_map_stem(const fs::path& journal) {
+    fs::path stem = journal;
+    return stem.replace_extension(".base");
+}
+
+// A writer holds a lock on its journal until its process ends, however it ends.
+bool writer_lives(const fs::path& journal) {
+    const int file = open(journal.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return true;  // not ours to judge
+    const bool locked = flock(file, LOCK_EX | LOCK_NB) != 0;
+    close(file);
+    return locked;
+}
+
+std::optional<AbandonedJournal> read_abandoned(const fs::path& path) {
+    if (writer_lives(path)) return std::nullopt;
+    try {
+        const Journal journal = read_journal(path);
+        AbandonedJournal found{path, journal.resolve(journal.header.scene), base_map_of(path), 0,
+                               fs::last_write_time(path)};
+        for (const JournalEntry& entry : journal.entries) {
+            if (std::holds_alternative<SaveOp>(entry.op)) found.edits = 0;
+            found.edits += std::holds_alternative<StrokeOp>(entry.op) ||
+                           std::holds_alternative<UndoOp>(entry.op) ||
+                           std::holds_alternative<RedoOp>(entry.op);
+        }
+        if (found.edits == 0) {  // killed with nothing unsaved: there is nothing to offer
+            remove_recovery(path);
+            return std::nullopt;
+        }
+        return found;
+    } catch (const std::exception&) {
+        return std::nullopt;  // a damaged journal must not keep the program from starting
+    }
+}
+
+}  // namespace
+
+fs::path recovery_folder() {
+    const auto absolute_of = [](const char* name) -> fs::path {
+        const char* value = std::getenv(name);
+        return value && *value == '/' ? fs::path(value) : fs::path();
+    };
+    if (const fs::path state = absolute_of("XDG_STATE_HOME"); !state.empty()) return state / "relievo";
+    if (const fs::path home = absolute_of("HOME"); !home.empty())
+        return home / ".local" / "state" / "relievo";
+    return fs::temp_directory_path() / ("relievo-" + std::to_string(getuid()));
+}
+
+fs::path new_recovery_journal(const fs::path& scene) {
+    const fs::path folder = recovery_folder();
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw std::invalid_argument(folder.string() + ": cannot create the folder: " + error.message());
+    const std::string stem = scene.stem().string() + "-" + std::to_string(getpid()) + "-";
+    for (int count = 0;; ++count) {
+        fs::path path = folder / (stem + std::to_string(count) + kJournalExtension);
+        if (!fs::exists(path)) return path;
+    }
+}
+
+std::vector<AbandonedJournal> find_abandoned_journals() {
+    std::vector<AbandonedJournal> found;
+    std::error_code error;
+    for (const auto& file : fs::directory_iterator(recovery_folder(), error)) {
+        if (file.path().extension() != kJournalExtension) continue;
+        if (auto journal = read_abandoned(file.path())) found.push_back(std::move(*journal));
+    }
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.when > b.when; });
+    return found;
+}
+
+void remove_recovery(const fs::path& journal) {
+    std::error_code ignored;
+    if (const fs::path base = base_map_of(journal); !base.empty()) fs::remove(base, ignored);
+    fs::remove(journal, ignored);
+}
+
+void keep_base_map(const fs::path& journal, const fs::path& map) {
+    if (!base_map_of(journal).empty()) return;
+    const fs::path base = base_map_stem(journal).concat(map.extension().string());
+    std::error_code error;
+    const fs::path file = fs::canonical(map, error);  // a link to a symbolic link would keep nothing
+    if (!error) fs::create_hard_link(file, base, error);
+    if (!error) return;
+    // Copied under another name first: a kill in between must not leave half a map that passes for the base.
+    const fs::path partial = fs::path(base).concat(".part");
+    fs::copy_file(map, partial, fs::copy_options::overwrite_existing, error);
+    if (!error) fs::rename(partial, base, error);
+    if (error)
+        throw std::runtime_error(base.string() +
+                                 ": cannot keep the map for crash recovery: " + error.message());
+}
+
+fs::path base_map_of(const fs::path& journal) {
+    const fs::path stem = base_map_stem(journal);
+    for (const char* extension : {".png", ".tif", ".tiff", ".exr", ".PNG", ".TIF", ".TIFF", ".EXR"}) {
+        const fs::path base = fs::path(stem).concat(extension);
+        if (fs::exists(base)) return base;
+    }
+    return {};
+}
+
+}  // namespace relievo

@@ -1,0 +1,44 @@
+// Crash recovery: every windowed session journals into the user's state folder; the next start finds what a
+// killed program left there.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "editor/session/journal.h"
+
+namespace relievo {
+
+// $XDG_STATE_HOME/relievo, else ~/.local/state/relievo, else a folder of the temporary directory. Not
+// created.
+std::filesystem::path recovery_folder();
+
+// A new file name in recovery_folder(), which it creates. Unique to this process and call.
+std::filesystem::path new_recovery_journal(const std::filesystem::path& scene);
+
+// A session that ended without being saved or discarded, and whose process is gone.
+struct AbandonedJournal {
+    std::filesystem::path journal;
+    std::filesystem::path scene;  // absolute
+    std::filesystem::path
+        base_map;           // the map as it was before the session saved over it; empty: as the scene says
+    std::size_t edits = 0;  // strokes, undos and redos since the last save
+    std::filesystem::file_time_type when;  // of the last line
+};
+
+// Newest first. Journals whose process still lives or that cannot be read are left out; those of a process
+// that died with nothing unsaved are deleted.
+std::vector<AbandonedJournal> find_abandoned_journals();
+
+// Deletes a recovery journal and its base map, after it was restored or declined.
+void remove_recovery(const std::filesystem::path& journal);
+
+// Keeps the bytes of `map` beside the journal before a save replaces them: by a hard link where the file
+// system allows it, else by a copy. Does nothing when a base is kept already. Throws std::runtime_error when
+// neither works.
+void keep_base_map(const std::filesystem::path& journal, const std::filesystem::path& map);
+
+// The kept base map; empty when there is none.
+std::filesystem::path base_map_of(const std::filesystem::path& journal);
+
+}  // namespace relievo

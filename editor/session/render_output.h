@@ -1,0 +1,40 @@
+// From a renderer to picture files: so many samples, then the layers that were asked for.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "editor/session/image_file.h"
+#include "renderer/renderer.h"
+
+namespace relievo {
+
+// The words of `--aov`: Z, N, Ns, uv, id, in this order.
+struct AovName {
+    std::string name;
+    Layer layer;
+    std::vector<std::string> channels;  // as the EXR names them
+};
+const std::vector<AovName>& aov_names();
+
+// "Z,N" to layers. Throws std::invalid_argument naming the unknown word and the known ones.
+std::vector<Layer> parse_aovs(const std::string& list);
+
+// What can be said before anything is rendered: that the extension is .png or .exr, that layers go with .exr
+// only, that the file can be written. Throws std::invalid_argument.
+void check_render_output(const std::filesystem::path& path, const std::vector<Layer>& aovs);
+
+using Progress = std::function<void(int done, int total)>;
+
+// Accumulates from nothing to `spp` samples a pixel. Returns milliseconds of tracing.
+double render_samples(Renderer& renderer, int spp, const Progress& progress = {});
+
+DisplayPicture display_picture(Renderer& renderer);
+
+// Tone-mapped PNG, or EXR with R G B A and the layers. Throws std::invalid_argument as check_render_output
+// does.
+void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs);
+
+}  // namespace relievo

@@ -1,0 +1,223 @@
+// Replays a journal through the session's commands.
+#include "editor/session/replay.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "editor/session/mesh_hash.h"
+#include "editor/session/render_output.h"
+#include "editor/session/text.h"
+#include "editor/session/view_window.h"
+
+namespace relievo {
+namespace fs = std::filesystem;
+
+namespace {
+
+// Hashes first, then the values that the record started from: the scene file may say others by now.
+void check_start(const Journal& journal, Session& session, bool force) {
+    const JournalHeader& header = journal.header;
+    const std::string where = journal.path.string() + ":1: ";
+    const HeightMap& map = session.map();
+    const auto require = [&](bool same, const std::string& key, const std::string& difference) {
+        if (!same && !force)
+            throw std::invalid_argument(where + key + ": " + difference +
+                                        "; give the scene or map it was recorded on, or --force");
+    };
+    const auto size = [](int width, int height) {
+        return std::to_string(width) + "x" + std::to_string(height);
+    };
+    if (header.map_width)
+        require(map.width() == *header.map_width && map.height() == *header.map_height, "map_size",
+                "recorded on a map of " + size(*header.map_width, *header.map_height) +
+                    " texels, this one has " + size(map.width(), map.height()));
+    if (header.mesh_hash) {
+        const std::uint64_t mesh = mesh_hash(session.scene().objects.front().mesh);
+        require(mesh == *header.mesh_hash, "mesh_hash",
+                "recorded on mesh " + hash_text(*header.mesh_hash) + ", " +
+                    session.scene().objects.front().mesh_path.string() + " is " + hash_text(mesh));
+    }
+    if (header.map_hash) {
+        const std::uint64_t hash = map.hash();
+        require(hash == *header.map_hash, "map_hash",
+                "recorded on map " + hash_text(*header.map_hash) + ", this one is " + hash_text(hash));
+    }
+    const Displacement& displacement = session.scene().objects.front().displacement;
+    if (header.amplitude && *header.amplitude != displacement.amplitude)
+        session.set("amplitude", *header.amplitude);
+    if (header.midlevel && *header.midlevel != displacement.midlevel)
+        session.set("midlevel", *header.midlevel);
+}
+
+class Replayer {
+  public:
+    Replayer(const Journal& journal, Session& session, const ReplayOptions& options)
+        : journal_(journal), session_(session), options_(options) {}
+
+    ReplayReport run() {
+        check_start(journal_, session_, options_.force);
+        for (std::size_t i = 0; i < journal_.entries.size(); ++i) {
+            if (options_.progress) options_.progress(i, journal_.entries.size());
+            line_ = journal_.entries[i].line;
+            std::visit(*this, journal_.entries[i].op);
+        }
+        if (options_.progress) options_.progress(journal_.entries.size(), journal_.entries.size());
+        return std::move(report_);
+    }
+
+    void operator()(const StrokeOp& op) {
+        const std::uint32_t faces = session_.surface().face_count();
+        for (std::size_t i = 0; i < op.dabs.size(); ++i)
+            if (op.dabs[i].face >= faces)
+                fail("dabs[" + std::to_string(i) + "][1]: is " + std::to_string(op.dabs[i].face) +
+                     ", the mesh has " + std::to_string(faces) + " faces, counted from 0");
+        session_.brush() = op.brush;
+        session_.begin_stroke();
+        for (const Dab& dab : op.dabs) {
+            session_.dab(dab);
+            if (options_.live) trace_around_dab();
+            report_.dab_times.push_back(session_.times());
+        }
+        session_.end_stroke();
+        ++report_.strokes;
+        report_.dabs += op.dabs.size();
+    }
+
+    void operator()(const UndoOp&) {
+        if (!session_.undo()) fail("undo: there is nothing to undo");
+    }
+    void operator()(const RedoOp&) {
+        if (!session_.redo()) fail("redo: there is nothing to redo");
+    }
+
+    void operator()(const SetOp& op) {
+        try {
+            session_.set(op.key, op.value);
+        } catch (const std::invalid_argument& error) {
+            fail(error.what());
+        }
+    }
+
+    void operator()(const ExpectOp& op) {
+        ++report_.expectations;
+        const std::uint64_t got = session_.map().hash();
+        if (got != op.map)
+            report_.failures.push_back(where() + "expect: the map should be " + hash_text(op.map) +
+                                       ", it is " + hash_text(got));
+    }
+
+    void operator()(const ExpectImageOp& op) {
+        ++report_.expectations;
+        const DisplayPicture wanted = read_display_picture(journal_.resolve(op.image));
+        const DisplayPicture got =
+            picture(op.spp, op.size ? op.size : ImageSize{wanted.width, wanted.height});
+        const PictureDifference difference = compare_pictures(wanted, got);
+        if (difference.rmse <= op.tolerance) return;
+        const fs::path folder =
+            options_.failed_pictures.empty() ? fs::temp_directory_path() : options_.failed_pictures;
+        const fs::path kept = folder / (op.image.stem().string() + ".got.png");
+        write_png(kept, got);
+        report_.failures.push_back(
+            where() + "expect_image: differs from " + op.image.string() + " by rmse " +
+            number_text(difference.rmse) + ", more than " + number_text(op.tolerance) + " (most, " +
+            number_text(difference.largest) + ", at pixel " + std::to_string(difference.worst_x) + "," +
+            std::to_string(difference.worst_y) + "); the picture got is " + kept.string());
+    }
+
+    void operator()(const RenderOp& op) {
+        const fs::path out = journal_.resolve(op.out);
+        check_render_output(out, {});
+        with_size(op.size, [&] {
+            render_samples(session_.renderer(), spp(op.spp));
+            write_render(session_.renderer(), out, {});
+        });
+    }
+
+    void operator()(const SaveOp& op) {
+        const fs::path path = journal_.resolve(op.path);
+        if (!op.map) return session_.save(path);
+        const std::uint64_t got = session_.map().hash();
+        if (got == *op.map) return session_.confirm_saved(path);
+        ++report_.expectations;
+        report_.failures.push_back(where() + "save: the map saved then was " + hash_text(*op.map) +
+                                   ", it is " + hash_text(got));
+    }
+
+  private:
+    std::string where() const { return journal_.path.string() + ":" + std::to_string(line_) + ": "; }
+    [[noreturn]] void fail(const std::string& what) const { throw std::invalid_argument(where() + what); }
+
+    int spp(const std::optional<int>& given) const {
+        return given ? *given : options_.spp > 0 ? options_.spp : session_.scene().image.spp;
+    }
+
+    void trace_around_dab() {
+        const auto touched = session_.last_dab();
+        const Renderer& renderer = session_.renderer();
+        const auto centre = project(session_.scene().camera, session_.scene().origin, renderer.width(),
+                                    renderer.height(), touched->centre);
+        if (centre) session_.trace(window_around(*centre, kLiveWindow, renderer.width(), renderer.height()));
+    }
+
+    template <typename Draw>
+    void with_size(const std::optional<ImageSize>& size, Draw draw) {
+        Renderer& renderer = session_.renderer();
+        const ImageSize before{renderer.width(), renderer.height()};
+        const bool resized = size && *size != before;
+        if (resized) renderer.resize(size->width, size->height);
+        draw();
+        if (resized) renderer.resize(before.width, before.height);
+    }
+
+    DisplayPicture picture(const std::optional<int>& samples, const std::optional<ImageSize>& size) {
+        DisplayPicture result;
+        with_size(size, [&] {
+            render_samples(session_.renderer(), spp(samples));
+            result = display_picture(session_.renderer());
+        });
+        return result;
+    }
+
+    const Journal& journal_;
+    Session& session_;
+    const ReplayOptions& options_;
+    ReplayReport report_;
+    int line_ = 0;
+};
+
+}  // namespace
+
+bool needs_renderer(const Journal& journal) {
+    return std::any_of(journal.entries.begin(), journal.entries.end(), [](const JournalEntry& entry) {
+        return std::holds_alternative<RenderOp>(entry.op) || std::holds_alternative<ExpectImageOp>(entry.op);
+    });
+}
+
+ReplayReport replay(const Journal& journal, Session& session, const ReplayOptions& options) {
+    return Replayer(journal, session, options).run();
+}
+
+std::vector<StageSummary> summarize(const std::vector<StageTimes>& times) {
+    const std::pair<const char*, double StageTimes::*> stages[] = {{"edit", &StageTimes::edit_ms},
+                                                                   {"upload", &StageTimes::upload_ms},
+                                                                   {"bounds", &StageTimes::bounds_ms},
+                                                                   {"refit", &StageTimes::refit_ms},
+                                                                   {"trace", &StageTimes::trace_ms}};
+    std::vector<StageSummary> summaries;
+    for (const auto& [name, stage] : stages) {
+        std::vector<double> values;
+        for (const StageTimes& time : times)
+            if (time.*stage > 0) values.push_back(time.*stage);
+        std::sort(values.begin(), values.end());
+        StageSummary summary{name, 0, 0, 0, values.size()};
+        if (!values.empty()) {
+            summary.median_ms = values[values.size() / 2];
+            summary.p95_ms = values[(values.size() * 95) / 100];
+            summary.max_ms = values.back();
+        }
+        summaries.push_back(summary);
+    }
+    return summaries;
+}
+
+}  // namespace relievo

@@ -1,0 +1,309 @@
+// One editing session: scene, map, brushes and renderer, behind the commands that journals store.
+#include "editor/session/session.h"
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "brushes/sculptor.h"
+#include "editor/session/mesh_hash.h"
+#include "editor/session/recorder.h"
+#include "editor/session/session_view.h"
+#include "editor/session/settings.h"
+#include "editor/session/steps.h"
+#include "editor/session/surface/mesh_surface.h"
+
+namespace relievo {
+namespace fs = std::filesystem;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// The map of one object: its file, or a new flat one that displaces nothing.
+LoadedMap open_map(const Displacement& displacement, const fs::path& path) {
+    const MapRange range{displacement.range_low, displacement.range_high};
+    if (!path.empty()) return load_map(path, range);
+    const auto flat = static_cast<std::uint16_t>(std::lround(displacement.midlevel * 65535));
+    return {HeightMap(displacement.map_size, displacement.map_size, flat), range, MapFormat::tiff16, nullptr};
+}
+
+Scene open_scene(const fs::path& path, const SessionOptions& options) {
+    Scene scene = load_scene(path);
+    if (!options.method.empty() && options.method != scene.method.name) scene.method = {options.method, {}};
+    for (const auto& [name, value] : options.parameters) scene.method.parameters[name] = value;
+    return scene;
+}
+
+}  // namespace
+
+struct Session::State {
+    State(const fs::path& scene_file, const SessionOptions& given)
+        : options(given),
+          scene(open_scene(scene_file, options)),
+          start_map(options.map.empty() ? displacement().map : options.map),
+          file(open_map(displacement(), start_map)),
+          surface(scene.objects.front().mesh, displacement(), file.map),
+          sculptor(file.map, surface, options.undo_budget) {
+        brush.radius = scene.objects.front().mesh.sphere_radius * 0.1f;
+        if (!displacement().map.empty()) map_path = displacement().map;
+        const bool recording = !options.journal.empty() || options.recovery;
+        header.version = RELIEVO_VERSION;
+        header.scene = scene.path;
+        header.map_width = file.map.width();
+        header.map_height = file.map.height();
+        header.midlevel = displacement().midlevel;
+        header.amplitude = displacement().amplitude;
+        header.undo_budget = options.undo_budget;
+        header.mesh_hash = mesh_hash(scene.objects.front().mesh);
+        if (recording) header.map_hash = file.map.hash();  // 512 MiB of texels take a while
+        if (options.with_renderer) open_view();
+        recorder = std::make_unique<Recorder>(header, options.journal, options.recovery);
+        if (!options.map.empty()) recorder->set_start_map(options.map);
+    }
+
+    const Displacement& displacement() const { return scene.objects.front().displacement; }
+
+    void open_view() {
+        std::vector<LoadedMap> others;  // of the objects that are not edited: the renderer copies them
+        others.reserve(scene.objects.size());
+        std::vector<const HeightMap*> maps{&file.map};
+        for (std::size_t i = 1; i < scene.objects.size(); ++i) {
+            const Displacement& other = scene.objects[i].displacement;
+            others.push_back(open_map(other, other.map));
+            maps.push_back(&others.back().map);
+        }
+        view = std::make_unique<SessionView>(scene, maps, options);
+    }
+
+    void require_no_stroke() const {
+        if (sculptor.in_stroke()) throw std::logic_error("end the stroke first");
+    }
+
+    // Runs one edit of the map and shows what it changed. True when it changed something.
+    template <typename Edit>
+    bool apply(Edit edit) {
+        const auto start = Clock::now();
+        const std::vector<TexelRect> rects = edit();
+        times = {};
+        times.edit_ms = milliseconds_since(start);
+        if (view) view->upload(file.map, rects, times);
+        return !rects.empty();
+    }
+
+    void restart_image() {
+        if (view) view->renderer().restart();
+    }
+
+    SessionOptions options;
+    Scene scene;
+    fs::path start_map;  // empty: a new flat map
+    LoadedMap file;
+    MeshSurface surface;
+    Sculptor sculptor;
+    std::unique_ptr<SessionView> view;
+    JournalHeader header;
+    std::unique_ptr<Recorder> recorder;
+    std::optional<fs::path> map_path;
+    Steps steps;
+    Brush brush;
+    StrokeOp stroke;  // under way
+    bool stroke_changed = false;
+    std::optional<Touched> touched;
+    StageTimes times;
+};
+
+Session::Session(const fs::path& scene_file, const SessionOptions& options)
+    : state_(std::make_unique<State>(scene_file, options)) {}
+
+Session::~Session() {
+    if (!unsaved()) state_->recorder->discard_recovery();
+}
+
+const Scene& Session::scene() const {
+    return state_->scene;
+}
+HeightMap& Session::map() {
+    return state_->file.map;
+}
+const HeightMap& Session::map() const {
+    return state_->file.map;
+}
+const Surface& Session::surface() const {
+    return state_->surface;
+}
+bool Session::has_renderer() const {
+    return state_->view != nullptr;
+}
+
+Renderer& Session::renderer() {
+    if (!state_->view) throw std::logic_error("this session has no renderer");
+    return state_->view->renderer();
+}
+
+vulkan::Context& Session::context() {
+    if (!state_->view) throw std::logic_error("this session has no renderer");
+    return state_->view->context();
+}
+
+const StageTimes& Session::times() const {
+    return state_->times;
+}
+const JournalHeader& Session::header() const {
+    return state_->header;
+}
+Brush& Session::brush() {
+    return state_->brush;
+}
+
+void Session::begin_stroke() {
+    State& s = *state_;
+    s.require_no_stroke();
+    check_brush(s.brush);
+    s.sculptor.begin(s.brush);
+    s.stroke = {s.brush, {}};
+    s.stroke_changed = false;
+    s.touched.reset();
+}
+
+void Session::dab(const Dab& dab) {
+    State& s = *state_;
+    s.stroke_changed |= s.apply([&] { return s.sculptor.dab(dab); });
+    s.stroke.dabs.push_back(dab);
+    constexpr auto kOne = static_cast<float>(Dab::kBarycentricOne);
+    s.touched = Touched{
+        s.surface.at(dab.face, static_cast<float>(dab.b1) / kOne, static_cast<float>(dab.b2) / kOne).position,
+        s.stroke.brush.radius};
+}
+
+void Session::end_stroke() {
+    State& s = *state_;
+    if (s.stroke.dabs.empty()) return cancel_stroke();
+    s.stroke_changed |= s.apply([&] { return s.sculptor.end(); });
+    if (s.stroke_changed) s.steps.add();
+    s.recorder->record(s.stroke);
+    s.restart_image();
+}
+
+void Session::cancel_stroke() {
+    State& s = *state_;
+    s.apply([&] { return s.sculptor.cancel(); });
+    if (s.stroke_changed) s.restart_image();
+}
+
+bool Session::in_stroke() const {
+    return state_->sculptor.in_stroke();
+}
+
+bool Session::undo() {
+    State& s = *state_;
+    s.require_no_stroke();
+    // A stroke that changed nothing is not a step for the user, whether the sculptor keeps it or not.
+    bool changed = false;
+    while (!changed && s.sculptor.can_undo()) changed = s.apply([&] { return s.sculptor.undo(); });
+    if (!changed) return false;
+    s.steps.undo();
+    s.recorder->record(UndoOp{});
+    s.restart_image();
+    return true;
+}
+
+bool Session::redo() {
+    State& s = *state_;
+    s.require_no_stroke();
+    bool changed = false;
+    while (!changed && s.sculptor.can_redo()) changed = s.apply([&] { return s.sculptor.redo(); });
+    if (!changed) return false;
+    s.steps.redo();
+    s.recorder->record(RedoOp{});
+    s.restart_image();
+    return true;
+}
+
+void Session::set(const std::string& key, const SetValue& value) {
+    State& s = *state_;
+    s.require_no_stroke();
+    const SettingScope scope = apply_setting(s.scene, key, value);
+    if (scope == SettingScope::displacement)
+        s.surface.set_displacement(static_cast<float>(s.displacement().amplitude),
+                                   static_cast<float>(s.displacement().midlevel));
+    if (s.view) s.view->follow(scope, s.scene);
+    s.recorder->record(SetOp{key, value});
+}
+
+void Session::set_camera(const Camera& camera) {
+    set("camera", camera_value(camera));
+}
+
+void Session::save(const fs::path& path) {
+    State& s = *state_;
+    s.require_no_stroke();
+    const MapFormat named = format_of(path);
+    const bool both_exr = named == MapFormat::exr_float && s.file.format == MapFormat::exr_half;
+    const MapFormat format = both_exr ? MapFormat::exr_half : named;
+    std::error_code ignored;
+    if (!s.start_map.empty() && fs::equivalent(path, s.start_map, ignored))
+        s.recorder->keep_base(s.start_map);
+    save_map(s.file.map, path, format, s.file.range, format == s.file.format ? s.file.origin.get() : nullptr);
+    confirm_saved(path);
+}
+
+void Session::confirm_saved(const fs::path& path) {
+    State& s = *state_;
+    s.map_path = fs::absolute(path);
+    s.steps.mark_saved();
+    s.recorder->record(SaveOp{*s.map_path, s.file.map.hash()});
+}
+
+bool Session::revert() {
+    const bool ahead = state_->steps.saved_is_ahead();
+    if (!ahead && !state_->steps.saved_is_behind()) return false;
+    for (int taken = 0; unsaved(); ++taken) {
+        if (ahead ? redo() : undo()) continue;
+        for (; taken > 0; --taken) ahead ? undo() : redo();  // the way is cut off: leave all as it was
+        return false;
+    }
+    return true;
+}
+
+bool Session::unsaved() const {
+    return state_->steps.unsaved();
+}
+bool Session::can_undo() const {
+    return state_->sculptor.can_undo();
+}
+bool Session::can_redo() const {
+    return state_->sculptor.can_redo();
+}
+std::size_t Session::undo_bytes() const {
+    return state_->sculptor.undo_bytes();
+}
+std::size_t Session::undo_budget() const {
+    return state_->sculptor.undo_budget();
+}
+std::size_t Session::clipped_texels() const {
+    return state_->sculptor.clipped_texels();
+}
+std::optional<fs::path> Session::map_path() const {
+    return state_->map_path;
+}
+void Session::discard_recovery() {
+    state_->recorder->discard_recovery();
+}
+std::string Session::journal_error() const {
+    return state_->recorder->error();
+}
+std::optional<Session::Touched> Session::last_dab() const {
+    return state_->touched;
+}
+
+void Session::trace(const PixelRect& window) {
+    renderer();
+    state_->view->trace(window, state_->times);
+}
+
+}  // namespace relievo

@@ -1,0 +1,64 @@
+// The session's renderer: follows the map and the settings, and times each stage.
+#include "editor/session/session_view.h"
+
+#include "renderer/vulkan/context.h"
+
+namespace relievo {
+namespace {
+
+HeightView view_of(const HeightMap& map) {
+    return {map.width(), map.height(), map.texels().data()};
+}
+
+}  // namespace
+
+SessionView::SessionView(const Scene& scene, std::span<const HeightMap* const> maps,
+                         const SessionOptions& options)
+    : context_(std::make_unique<vulkan::Context>(
+          vulkan::ContextOptions{options.device, options.validation, options.for_window})) {
+    std::vector<HeightView> views;
+    for (const HeightMap* map : maps) views.push_back(view_of(*map));
+    RenderSettings settings;
+    settings.width = options.width > 0 ? options.width : scene.image.width;
+    settings.height = options.height > 0 ? options.height : scene.image.height;
+    settings.method = scene.method.name;
+    settings.parameters = scene.method.parameters;
+    settings.path = options.path;
+    renderer_ = std::make_unique<Renderer>(*context_, scene, views, settings);
+}
+
+SessionView::~SessionView() = default;
+
+void SessionView::upload(const HeightMap& map, std::span<const TexelRect> rects, StageTimes& times) {
+    times.upload_ms = times.bounds_ms = times.refit_ms = 0;
+    if (rects.empty()) return;
+    std::vector<TexelRegion> regions;
+    for (const TexelRect& rect : rects) regions.push_back({rect.x0, rect.y0, rect.x1, rect.y1});
+    const UploadStats stats = renderer_->upload(0, view_of(map), regions);
+    times.upload_ms = stats.copy_ms;
+    times.bounds_ms = stats.bounds_ms;
+    times.refit_ms = stats.refit_ms;
+}
+
+void SessionView::follow(SettingScope scope, const Scene& scene) {
+    const SceneObject& object = scene.objects.front();
+    switch (scope) {
+        case SettingScope::camera:
+            return renderer_->set_camera(scene.camera);
+        case SettingScope::lights:
+            return renderer_->set_lights(scene.lights, scene.environment);
+        case SettingScope::material:
+            return renderer_->set_material(0, object.material);
+        case SettingScope::displacement:
+            return renderer_->set_displacement(0, object.displacement.amplitude,
+                                               object.displacement.midlevel);
+        case SettingScope::method:
+            return renderer_->set_method(scene.method.name, scene.method.parameters);
+    }
+}
+
+void SessionView::trace(const PixelRect& window, StageTimes& times) {
+    times.trace_ms = renderer_->render(window, Quality::preview);
+}
+
+}  // namespace relievo

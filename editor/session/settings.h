@@ -1,0 +1,28 @@
+// The values that a session's `set` command changes, by the key that journals store.
+#pragma once
+
+#include <string>
+
+#include "editor/session/journal.h"
+#include "renderer/scene/scene.h"
+
+namespace relievo {
+
+// Which part of the renderer has to hear of a change.
+enum class SettingScope { camera, lights, material, displacement, method };
+
+// Keys, with S a number and V an array of three:
+//   amplitude S (world units), midlevel S [0, 1], method "name", method.PARAMETER S (the registry's range),
+//   camera [eye V, look_at V, up V, fov_deg] as ten numbers (world space),
+//   material.albedo V, material.roughness S, material.specular S (of the edited object),
+//   lights[I].direction V, .position V, .color V, .intensity S, .angle_deg S, .radius S,
+//   environment.zenith V, .horizon V, .ground V, .intensity S.
+// Changes `scene` (objects[0] for what belongs to an object) and says what changed. Throws
+// std::invalid_argument `set KEY: ...` on an unknown key, a wrong type or a value out of range, and then
+// changes nothing.
+SettingScope apply_setting(Scene& scene, const std::string& key, const SetValue& value);
+
+// The value of key `camera`.
+SetValue camera_value(const Camera& camera);
+
+}  // namespace relievo

@@ -1,0 +1,39 @@
+// Which state of the map is shown and which was saved: every stroke makes a state of its own.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace relievo {
+
+class Steps {
+  public:
+    void add() {
+        done_.push_back(++newest_);
+        undone_.clear();
+    }
+    void undo() { move_last(done_, undone_); }
+    void redo() { move_last(undone_, done_); }
+    void mark_saved() { saved_ = current(); }
+
+    bool unsaved() const { return current() != saved_; }
+    bool saved_is_ahead() const { return contains(undone_, saved_); }
+    bool saved_is_behind() const { return saved_ == 0 || contains(done_, saved_); }
+
+  private:
+    std::uint64_t current() const { return done_.empty() ? 0 : done_.back(); }
+    static bool contains(const std::vector<std::uint64_t>& states, std::uint64_t state) {
+        return std::find(states.begin(), states.end(), state) != states.end();
+    }
+    static void move_last(std::vector<std::uint64_t>& from, std::vector<std::uint64_t>& to) {
+        if (from.empty()) return;
+        to.push_back(from.back());
+        from.pop_back();
+    }
+
+    std::vector<std::uint64_t> done_, undone_;  // states by number; 0 is the map as it was loaded
+    std::uint64_t newest_ = 0, saved_ = 0;
+};
+
+}  // namespace relievo

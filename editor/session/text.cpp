@@ -1,0 +1,23 @@
+// Small wordings that messages share.
+#include "editor/session/text.h"
+
+#include <charconv>
+
+namespace relievo {
+
+std::string number_text(double value) {
+    char text[40];
+    const auto single = static_cast<float>(value);  // 0.1f reads as 0.1, not as 0.10000000149
+    const auto end = static_cast<double>(single) == value ? std::to_chars(text, text + sizeof text, single)
+                                                          : std::to_chars(text, text + sizeof text, value);
+    return {text, end.ptr};
+}
+
+std::string range_text(double low, double high) {
+    constexpr double kUnbounded = 1e18;
+    if (high >= kUnbounded && low <= -kUnbounded) return "finite";
+    if (high >= kUnbounded) return "at least " + number_text(low);
+    return "in [" + number_text(low) + ", " + number_text(high) + "]";
+}
+
+}  // namespace relievo
