@@ -23,10 +23,11 @@ std::vector<Crater> make_craters() {
     for (int i = 0; i < kCount; ++i) {
         const auto n = static_cast<std::uint32_t>(i);
         const double rank = (i + 1.0) / kCount;  // few large ones, many small ones
-        const double radius = 0.05 + 0.38 * exponential(-9.0 * rank) + 0.03 * hash01(n, 0, 0, 31);
+        const double radius = 0.045 + 0.42 * exponential(-7.0 * rank) + 0.03 * hash01(n, 0, 0, 31);
         // The order of the spiral is shuffled (7 and 240 share no factor), or the large ones would sit at the
         // pole.
-        craters.push_back({scattered_direction(i * 77 % kCount, kCount, 32), radius, 0.42 * radius});
+        craters.push_back(
+            {scattered_direction(i * 77 % kCount, kCount, 32), radius, (0.7 - 0.6 * radius) * radius});
     }
     return craters;
 }
@@ -50,9 +51,9 @@ double cratered_height(const std::vector<Crater>& craters, glm::dvec3 d) {
         // A young crater wipes out what lay in its bowl.
         height = height * smooth_step(0.7, 1.15, r) + c.depth * crater_profile(r) * smooth_step(2.2, 1.4, r);
     }
-    const double rock = fractal_noise(d * 3.0, 8, 51);
-    const double rubble = ridged_noise(d * 14.0, 4, 61);
-    return 0.5 + 0.9 * height + 0.11 * rock + 0.035 * (rubble - 0.5);
+    const double rock = fractal_noise(d * 2.5, 7, 51);
+    const double rubble = ridged_noise(d * 17.0, 4, 61);
+    return 0.5 + height + 0.07 * rock + 0.02 * (rubble - 0.5);
 }
 
 glm::dvec3 lump(glm::dvec3 d) {

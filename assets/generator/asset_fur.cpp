@@ -12,7 +12,7 @@ namespace {
 
 constexpr Tube kTube{24, 80, 2, 5, 6};
 constexpr double kCore = 0.8, kRadius = 0.27;          // world units
-constexpr double kCellAcross = 4.0, kCellAlong = 9.0;  // texels: one hair in each cell
+constexpr double kCellAcross = 3.2, kCellAlong = 7.0;  // texels: one hair in each cell
 constexpr std::uint32_t kSeed = 401;
 
 TubeFrame torus_frame(double along) {
@@ -40,7 +40,7 @@ struct Hairs {
         const double cell_w = width / across, cell_l = length / along;
         const double root_x = (cell_x + hash01(wx, wy, 0, kSeed)) * cell_w;
         const double root_y = (cell_y + hash01(wx, wy, 1, kSeed)) * cell_l;
-        const double reach = cell_l * (1.2 + 1.3 * hash01(wx, wy, 2, kSeed));
+        const double reach = cell_l * (1.5 + 1.4 * hash01(wx, wy, 2, kSeed));
         const double forward = (y - root_y) / reach;
         if (forward < 0.0 || forward > 1.0) return 0.0;
         const double bend = cell_w * (2.6 * hash01(wx, wy, 3, kSeed) - 1.3 + comb(root_x, root_y));

@@ -14,11 +14,11 @@ namespace {
 double grain(glm::dvec3 d) {
     const glm::dvec3 warp{noise(d * 6.0, 1), noise(d * 6.0, 2), noise(d * 6.0, 3)};
     const glm::dvec3 p = d + 0.035 * warp;
-    const Cells coarse = cellular_noise(p * 15.0, 101);
-    const Cells fine = cellular_noise(p * 38.0, 102);
+    const Cells coarse = cellular_noise(p * 21.0, 101);
+    const Cells fine = cellular_noise(p * 52.0, 102);
     const double edge = coarse.second - coarse.nearest;
-    const double pebble = smooth_step(0.0, 0.32, edge) * (0.75 + 0.25 * dome(coarse.nearest / 0.75));
-    const double small_edge = smooth_step(0.0, 0.35, fine.second - fine.nearest);
+    const double pebble = smooth_step(-0.25, 0.55, edge) * (0.55 + 0.45 * dome(coarse.nearest / 1.1));
+    const double small_edge = smooth_step(-0.2, 0.5, fine.second - fine.nearest);
     const double uneven = static_cast<double>(coarse.id >> 24) / 255.0;
     return pebble * (0.82 + 0.18 * uneven) * (0.85 + 0.15 * small_edge);
 }
@@ -37,17 +37,23 @@ double sewn(glm::dvec3 d, int axis, double& open) {
     open *= smooth_step(0.03, 0.1, across);  // the grain is stretched smooth at the seam
     const double groove = exponential(-(across * across) / (0.016 * 0.016));
     const double welt = dome((across - 0.04) / 0.035);
-    return -0.2 * groove + 0.03 * welt - 0.05 * hole + 0.14 * thread;
+    return -0.22 * groove + 0.05 * welt - 0.05 * hole + 0.14 * thread;
 }
 
 double leather_height(glm::dvec3 d) {
-    double open = 1.0, seams = 0.0;
-    for (int axis = 0; axis < 3; ++axis) seams += sewn(d, axis, open);
+    double open = 1.0, deepest = 0.0,
+           highest = 0.0;  // where seams cross, the deeper groove wins over the other's thread
+    for (int axis = 0; axis < 3; ++axis) {
+        const double seam = sewn(d, axis, open);
+        deepest = std::min(deepest, seam);
+        highest = std::max(highest, seam);
+    }
+    const double seams = deepest + highest * smooth_step(-0.06, 0.0, deepest);
     const double stuffing = 0.06 * fractal_noise(d * 2.2, 3, 111);
     const double least = std::min({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     const double pillow = 0.1 * smooth_step(0.0, 0.35, least);
-    const double pores = 0.012 * noise(d * 160.0, 121);
-    return 0.46 + stuffing + pillow + 0.15 * (grain(d) - 0.7) * (0.25 + 0.75 * open) + pores + seams;
+    const double pores = 0.006 * noise(d * 130.0, 121);
+    return 0.46 + stuffing + pillow + 0.12 * (grain(d) - 0.6) * (0.25 + 0.75 * open) + pores + seams;
 }
 
 }  // namespace

@@ -14,10 +14,11 @@ double window(double x, double low, double high, double soft) {
     return smooth_step(low, low + soft, x) * smooth_step(high, high - soft, x);
 }
 
-// A half-round moulding of the given half width.
+// A round moulding of the given half width, with flanks that end at a finite slope: a map cannot hold a
+// vertical wall.
 double moulding(double x, double half_width) {
-    const double r = x / half_width;
-    return r * r < 1.0 ? std::sqrt(1.0 - r * r) : 0.0;
+    const double r = x / half_width, rest = 1.0 - r * r;
+    return rest > 0.0 ? 1.2 * rest / (rest + 0.2) : 0.0;
 }
 
 // Distance to the nearest whole number.
@@ -49,7 +50,7 @@ double flutes(double latitude, double turns, double count) {
     const double across = 2.0 * to_whole(count * turns);  // 0 on a lobe's crest, 1 between lobes
     const double along = (latitude - 0.66) / 0.25;        // -1 and 1 at its ends
     const double r = across * across + along * along * along * along;
-    return r < 1.0 ? std::sqrt(1.0 - r) : 0.0;
+    return r < 1.0 ? 1.15 * (1.0 - r) / (1.15 - r) : 0.0;
 }
 
 // Two rows of petals around a boss. `from_pole` in radians.
