@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSamplesPerTexel = 8;
 constexpr double kMostSamples = 1 << 23;
+constexpr double kRounding = 1e-6;  // counts; what double arithmetic leaves of two equal heights
 
 // A float's rounding of texture coordinates is not the map's fault: aligned sides are measured where they
 // were meant.
@@ -32,7 +33,7 @@ double gap(const UvSeam& seam, const HeightMap& map, const MapGrid& grid) {
     for (int i = 0; i <= count; ++i) measure(static_cast<double>(i) / count);
     for (const double t : cell_crossings(a)) measure(t);
     for (const double t : cell_crossings(b)) measure(t);
-    return largest;
+    return largest < kRounding ? 0 : largest;
 }
 
 }  // namespace

@@ -1,0 +1,125 @@
+// The sample meshes' layouts, and strokes over their seams: what RELIEVO_SAMPLES (a folder of the generator)
+// holds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "brushes/sculptor.h"
+#include "editor/session/surface/mesh_surface.h"
+#include "editor/session/surface/seam_gap.h"
+#include "editor/session/surface/seam_table.h"
+#include "test_meshes.h"
+
+namespace relievo {
+namespace {
+
+using namespace test;
+
+constexpr int kSize = 512;
+
+std::vector<std::filesystem::path> sample_meshes() {
+    const char* folder = std::getenv("RELIEVO_SAMPLES");
+    if (folder == nullptr) return {};
+    std::vector<std::filesystem::path> meshes;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.path().extension() == ".obj") meshes.push_back(entry.path());
+    }
+    std::sort(meshes.begin(), meshes.end());
+    return meshes;
+}
+
+Mesh load(const std::filesystem::path& path) {
+    return make_mesh(load_mesh_file(path), glm::dmat4(1), glm::dvec3(0), true);
+}
+
+TEST(Samples, aligned_seams_close_exactly_whatever_the_map) {
+    ASSERT_GE(sample_meshes().size(), 8u);
+    for (const auto& path : sample_meshes()) {
+        const Mesh mesh = load(path);
+        const auto start = std::chrono::steady_clock::now();
+        const SeamTable table = build_seam_table(mesh, kSize, kSize, Wrap::repeat);
+        const double ms =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        HeightMap map = random_map(kSize, kSize, 1);
+        apply_copies(map, table);
+        const std::vector<SeamGap> gaps = seam_gaps(mesh, map, Wrap::repeat);
+        const auto aligned =
+            std::count_if(gaps.begin(), gaps.end(), [](const SeamGap& g) { return g.aligned; });
+        std::printf(
+            "  %-10s %6zu faces, %4zu seam edges (%td aligned), %6zu copies, %5zu equations, %.1f ms\n",
+            path.stem().c_str(), mesh.faces.size(), gaps.size(), aligned, table.copies.size(),
+            table.equations.size(), ms);
+        EXPECT_EQ(max_seam_gap(mesh, map, Wrap::repeat, true), 0) << path;
+        if (path.stem() == "stump") {
+            EXPECT_LT(static_cast<std::size_t>(aligned), gaps.size());
+        } else {
+            EXPECT_TRUE(table.equations.empty()) << path;
+        }
+    }
+}
+
+// Dabs on every corner of every seam's edges that is not too near another, so that all kinds of ends are met.
+std::vector<Dab> dabs_on_seams(const Mesh& mesh, const HeightMap& map, float apart) {
+    std::vector<glm::vec3> places;
+    std::vector<Dab> dabs;
+    for (const SeamGap& gap : seam_gaps(mesh, map, Wrap::repeat)) {
+        for (const std::uint32_t position : gap.position) {
+            const glm::vec3 p = mesh.positions[position];
+            const auto near = [&](glm::vec3 q) { return glm::distance(p, q) < apart; };
+            if (std::any_of(places.begin(), places.end(), near)) continue;
+            places.push_back(p);
+            for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+                const auto& corners = mesh.faces[face].position;
+                const auto at = std::find(corners.begin(), corners.end(), position);
+                if (at == corners.end()) continue;
+                Dab dab;
+                dab.face = face;
+                dab.b1 = at == corners.begin() + 1 ? Dab::kBarycentricOne : 0;
+                dab.b2 = at == corners.begin() + 2 ? Dab::kBarycentricOne : 0;
+                dabs.push_back(dab);
+                break;
+            }
+        }
+    }
+    return dabs;
+}
+
+TEST(Samples, strokes_over_seams_leave_no_gap) {
+    for (const auto& path : sample_meshes()) {
+        const Mesh mesh = load(path);
+        float size = 0;
+        for (const glm::vec3& p : mesh.positions) size = std::max(size, glm::length(p));
+        HeightMap map(kSize, kSize);
+        const MeshSurface surface(mesh, displacement(0.2 * static_cast<double>(size)), map);
+        Sculptor sculptor(map, surface);
+        const std::vector<Dab> dabs = dabs_on_seams(mesh, map, 0.15f * size);
+        for (const Tool tool : {Tool::draw, Tool::smooth, Tool::flatten}) {
+            Brush brush;
+            brush.tool = tool;
+            brush.radius = 0.1f * size;
+            brush.strength = 1;
+            sculptor.begin(brush);
+            for (const Dab& dab : dabs) {
+                for (int i = 0; i < 4; ++i) sculptor.dab(dab);
+            }
+            sculptor.end();
+            const auto [low, high] = std::minmax_element(map.texels().begin(), map.texels().end());
+            const double aligned = max_seam_gap(mesh, map, Wrap::repeat, true);
+            const double any = max_seam_gap(mesh, map, Wrap::repeat, false);
+            EXPECT_EQ(aligned, 0) << path;
+            EXPECT_LE(any, 0.02 * (*high - *low)) << path << " of " << *high - *low;
+            if (!dabs.empty() && tool == Tool::draw) {
+                EXPECT_GT(*high - *low, 500) << path;
+            }
+            if (any > 0) std::printf("  %s: %.1f of %d counts\n", path.stem().c_str(), any, *high - *low);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relievo
