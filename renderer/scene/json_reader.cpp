@@ -2,10 +2,10 @@
 #include "renderer/scene/json_reader.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "renderer/scene/scene_keys.h"
@@ -15,10 +15,10 @@ namespace relievo {
 
 namespace {
 
+// The shortest text that reads back as the same number.
 std::string short_number(double value) {
-    std::ostringstream out;
-    out << value;
-    return out.str();
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 std::string range_text(const NumberRange& range) {

@@ -15,6 +15,7 @@ namespace relievo {
 namespace {
 
 constexpr double kMargin = 1.05;
+constexpr NumberRange kLength{-1e30, 1e30};
 const glm::dvec3 kFrontRightAbove = glm::normalize(glm::dvec3(0.5, 0.5, 1.0));
 
 struct Sphere {
@@ -76,12 +77,12 @@ Camera read_camera(const JsonNode& node, const Scene& scene) {
     if (node.has("fov_deg")) framed.camera.fov_deg = node["fov_deg"].number({0, 180, true});
     Camera camera = framing_camera(framed);
     const glm::dvec3 offset = camera.eye - camera.look_at;
-    if (node.has("look_at")) camera.look_at = node["look_at"].vector3();
-    camera.eye = node.has("eye") ? node["eye"].vector3() : camera.look_at + offset;
+    if (node.has("look_at")) camera.look_at = node["look_at"].vector3(kLength);
+    camera.eye = node.has("eye") ? node["eye"].vector3(kLength) : camera.look_at + offset;
     const glm::dvec3 view = camera.look_at - camera.eye;
     if (!(glm::length(view) > 0)) node.fail("eye and look_at are the same point");
     if (node.has("up")) {
-        camera.up = node["up"].vector3();
+        camera.up = node["up"].vector3(kLength);
         if (!(glm::length(camera.up) > 0)) node["up"].fail("has no length");
         if (are_parallel(camera.up, view)) node["up"].fail("points along the view, must point across it");
     } else if (are_parallel(camera.up, view)) {
