@@ -33,11 +33,11 @@ Film::Film(vulkan::Context& context, vulkan::Commands& commands, int width, int 
                              VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                  VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
     commands.run([&](VkCommandBuffer cmd) {
-        display_.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+        display_.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
         const VkClearColorValue black{{0, 0, 0, 1}};
         const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-        vkCmdClearColorImage(cmd, display_.get(), VK_IMAGE_LAYOUT_GENERAL, &black, 1, &all);
-        vulkan::memory_barrier(cmd);
+        vkCmdClearColorImage(cmd, display_.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &black, 1, &all);
+        display_.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_GENERAL);
     });
     clear(commands, {0, 0, width, height});
 }
@@ -128,9 +128,9 @@ std::vector<std::uint8_t> Film::display_pixels(vulkan::Context& context, vulkan:
     copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     copy.imageExtent = {static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), 1};
     commands.run([&](VkCommandBuffer cmd) {
-        vulkan::memory_barrier(cmd);
-        vkCmdCopyImageToBuffer(cmd, display_.get(), VK_IMAGE_LAYOUT_GENERAL, to.get(), 1, &copy);
-        vulkan::memory_barrier(cmd);
+        display_.transition(cmd, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+        vkCmdCopyImageToBuffer(cmd, display_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.get(), 1, &copy);
+        display_.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_GENERAL);
     });
     std::memcpy(pixels.data(), to.mapped(), pixels.size());
     return pixels;

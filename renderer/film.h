@@ -36,7 +36,7 @@ class Film {
   private:
     int width_ = 0, height_ = 0;
     vulkan::Buffer accumulation_, counts_, aov_;
-    vulkan::Image display_;
+    vulkan::Image display_;  // in layout GENERAL, but for the moment of a copy
 };
 
 }  // namespace relievo

@@ -115,7 +115,7 @@ void GpuScene::add_object(const SceneObject& description, const HeightView& map,
     object.amplitude = description.displacement.amplitude;
     object.midlevel = description.displacement.midlevel;
     const bool clamp = object.wrap == Wrap::clamp;
-    object.bounds = std::make_unique<HeightBounds>(HeightTexels{map.width, map.height, map.texels, object.wrap});
+    object.bounds = std::make_unique<HeightBounds>(map.width, map.height, map.texels, object.wrap);
     object.lookup = std::make_unique<TriangleLookup>(object.mesh, map.width, map.height, object.wrap);
     object.primitive_of.assign(object.mesh.faces.size(), kNone);
     const auto uses = count_edge_uses(object.mesh);
@@ -160,9 +160,7 @@ void GpuScene::load_opacity(const SceneObject& description, Object& object, bool
 }
 
 DisplacementRange GpuScene::range_of(const Object& object, std::uint32_t face) const {
-    const auto& uv = object.mesh.faces[face].uv;
-    const HeightRange counts =
-        object.bounds->range(object.mesh.uvs[uv[0]], object.mesh.uvs[uv[1]], object.mesh.uvs[uv[2]]);
+    const HeightRange counts = object.bounds->range(object.mesh, face);
     const double a = object.amplitude * (counts.low / 65535.0 - object.midlevel);
     const double b = object.amplitude * (counts.high / 65535.0 - object.midlevel);
     return {std::min(a, b), std::max(a, b)};
@@ -198,10 +196,12 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     upload_texels(object, map, regions);
     stats.copy_ms = watch.lap_ms();
 
-    std::vector<std::uint32_t> faces;
+    object.bounds->move(map.texels);
+    std::vector<std::uint32_t> faces, found;
     for (const TexelRegion& r : regions) {
-        object.bounds->update(r.x0, r.y0, r.x1, r.y1);
-        object.lookup->touching(r.x0, r.y0, r.x1, r.y1, faces);
+        object.bounds->update({r.x0, r.y0, r.x1, r.y1});
+        object.lookup->find({r.x0, r.y0, r.x1, r.y1}, found);
+        faces.insert(faces.end(), found.begin(), found.end());
     }
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
