@@ -350,6 +350,8 @@ double Renderer::render(const PixelRect& window, Quality quality) {
 
 double Renderer::render() { return render(state_->whole(), Quality::full); }
 
+void Renderer::end_pass() { ++state_->samples; }
+
 int Renderer::samples() const { return state_->samples; }
 int Renderer::width() const { return state_->film.width(); }
 int Renderer::height() const { return state_->film.height(); }

@@ -97,6 +97,8 @@ class Renderer {
     // Adds one sample a pixel inside the window to the accumulation. Returns milliseconds of wall clock.
     double render(const PixelRect& window, Quality quality = Quality::full);
     double render();  // the whole image, full quality
+    // Counts windows that together covered the image, traced one by one in full quality, as one whole-image pass.
+    void end_pass();
     int samples() const;  // whole-image passes since the last restart
 
     int width() const;
