@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <tuple>
 
 #include "editor/session/surface/mesh_surface.h"
 #include "editor/session/surface/seam_gap.h"
@@ -123,6 +125,24 @@ TEST(Seam, whole_repeats_apart_is_no_seam) {
     EXPECT_TRUE(seam_gaps(mesh, random_map(64, 64, 1), Wrap::repeat).empty());
     EXPECT_EQ(seam_gaps(mesh, random_map(64, 64, 1), Wrap::clamp).size(), 1u);
     EXPECT_EQ(gap_after_copies(mesh, 64, 64, Wrap::clamp), 0);
+}
+
+TEST(Seam, texture_coordinates_apart_by_a_floats_rounding_are_no_seam) {
+    MeshBuilder builder;
+    const float a = 0.3f, b = std::nextafter(a, 1.0f);
+    builder.quad({{0, 0, 0}, {0.1f, 0}}, {{1, 0, 0}, {a, 0}}, {{1, 1, 0}, {a, 1}}, {{0, 1, 0}, {0.1f, 1}});
+    builder.quad({{1, 0, 0}, {b, 0}}, {{2, 0, 0}, {0.6f, 0}}, {{2, 1, 0}, {0.6f, 1}}, {{1, 1, 0}, {b, 1}});
+    EXPECT_TRUE(seam_gaps(builder.build(), HeightMap(512, 512), Wrap::clamp).empty());
+}
+
+TEST(Seam, a_face_folded_onto_the_seam_hides_no_seam) {
+    MeshBuilder builder;
+    const MeshBuilder::Corner a{{1, 0, 0}, {0.375f, 0.25f}}, b{{1, 1, 0}, {0.375f, 0.5f}};
+    builder.quad({{0, 0, 0}, {0.125f, 0.25f}}, a, b, {{0, 1, 0}, {0.125f, 0.5f}});
+    builder.quad({{1, 0, 0}, {0.625f, 0.25f}}, {{2, 0, 0}, {0.875f, 0.25f}}, {{2, 1, 0}, {0.875f, 0.5f}},
+                 {{1, 1, 0}, {0.625f, 0.5f}});
+    builder.triangle(a, b, a);
+    EXPECT_EQ(gap_after_copies(builder.build(), 64, 64), 0);
 }
 
 TEST(Seam, slanted_and_scaled_seams_become_equations_that_cover_every_tap) {

@@ -20,9 +20,12 @@ std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh) {
     edges.reserve(mesh.faces.size() * 3);
     for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
         const auto& p = mesh.faces[face].position;
+        // A face that folds onto one of its edges would make its neighbours' common edge look like one of
+        // four faces.
+        if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
         for (std::uint32_t i = 0; i < 3; ++i) {
             const std::uint32_t a = p[i], b = p[(i + 1) % 3];
-            if (a != b) edges.push_back({std::min(a, b), std::max(a, b), face, i});
+            edges.push_back({std::min(a, b), std::max(a, b), face, i});
         }
     }
     std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
@@ -43,10 +46,12 @@ UvSide side(const Mesh& mesh, const MapGrid& grid, const HalfEdge& edge) {
 
 // The same texels on both sides: equal, or under repeat a whole number of maps apart.
 bool same_place(const UvSide& a, const UvSide& b, const MapGrid& grid) {
+    const auto none = [&](double distance, int size) {
+        return std::abs(grid.wrap == Wrap::repeat ? std::remainder(distance, size) : distance) < kTexelSlack;
+    };
     const glm::dvec2 from = a.from - b.from, to = a.to - b.to;
-    if (from != to) return false;
-    if (grid.wrap == Wrap::clamp) return from == glm::dvec2(0);
-    return std::fmod(from.x, grid.width) == 0 && std::fmod(from.y, grid.height) == 0;
+    const bool moved_as_one = glm::length(from - to) < kTexelSlack;
+    return moved_as_one && none(from.x, grid.width) && none(from.y, grid.height);
 }
 
 struct Axis {
