@@ -51,6 +51,11 @@ glm::dvec3 cap_point(double turns, double rho) {
     return {x, trunk_height(1.0, x, z) + 0.02 * dome(rho), z};
 }
 
+// The map's range is kept narrow, at a large amplitude, for rocks to be raised on the stump.
+double squeezed(double height) {
+    return 0.5 + 0.6 * (height - 0.5);
+}
+
 // What bark and wood share at the rim.
 double rim_height(double turns) {
     const double angle = 2.0 * kPi * turns;
@@ -71,7 +76,7 @@ double bark_height(double turns, double up) {
     const double fibre = ridged_noise({ring.x * 16.0, ring.y * 16.0, up * 3.0}, 4, 541);
     const double uneven = static_cast<double>(plates.id >> 24) / 255.0;
     const double bark = 0.34 + crack * (0.17 + 0.08 * uneven) + 0.05 * flake * crack + 0.1 * (fibre - 0.5);
-    return mix(bark, rim_height(turns), smooth_step(0.93, 0.995, up));
+    return squeezed(mix(bark, rim_height(turns), smooth_step(0.93, 0.995, up)));
 }
 
 // Year rings that follow the outline, check cracks that run out from the heart, saw marks.
@@ -95,7 +100,7 @@ double wood_height(double turns, double rho) {
     const double saw = 0.008 * noise({x * 3.0 + z * 60.0, z * 2.0, 1.0}, 561);
     const double bark_edge = 0.09 * smooth_step(0.86, 0.93, rho);
     const double wood = 0.45 + rings - 0.16 * cracks + saw + bark_edge;
-    return mix(wood, rim_height(turns), smooth_step(0.9, 0.99, rho));
+    return squeezed(mix(wood, rim_height(turns), smooth_step(0.9, 0.99, rho)));
 }
 
 // A point of the cap's island as turns and distance from its heart, 1 on the polygon that is its rim. Exact

@@ -11,7 +11,9 @@ namespace relievo::assets {
 
 inline constexpr std::string_view kUsage =
     "relievo_assets -o FOLDER [--size N] [--only NAME] [--scenes FOLDER]\n"
-    "Makes the sample meshes (FOLDER/meshes/*.obj) and maps (FOLDER/maps/*.png, 16-bit).\n"
+    "Makes the sample meshes (FOLDER/meshes/*.obj), maps (FOLDER/maps/*.png, 16-bit) and journals of "
+    "strokes\n"
+    "(FOLDER/strokes/*.jsonl).\n"
     "  -o FOLDER         where to; made if missing\n"
     "  --size N          texels a side of the maps, 64 to 8192 (1024); seams are exact from 256 on, at "
     "powers of two\n"

@@ -8,6 +8,7 @@
 
 #include "assets/generator/atlas.h"
 #include "assets/generator/builders.h"
+#include "assets/generator/strokes.h"
 
 namespace relievo::assets {
 namespace {
@@ -53,6 +54,7 @@ void make_sample(const Entry& entry, const Options& options) {
     const Sculpture sculpture = entry.make();
     const std::string name = entry.name;
     write_obj(sculpture.shape, options.output / "meshes" / (name + ".obj"));
+    write_sample_strokes(name, sculpture.shape, options.output / "strokes");
     const Atlas atlas(sculpture.shape);
     const fs::path maps = options.output / "maps";
     write_png(maps / (name + ".png"),
@@ -90,6 +92,7 @@ void make_samples(const Options& options, const std::function<void(const std::st
 
     make_folder(options.output / "meshes");
     make_folder(options.output / "maps");
+    make_folder(options.output / "strokes");
     for (const Entry& entry : kEntries) {
         if (!options.only.empty() && options.only != entry.name) continue;
         progress(entry.name);
