@@ -60,8 +60,10 @@ std::string brush_object(const Brush& brush) {
 }
 
 std::string dab_array(const Dab& dab) {
-    return "[" + shortest(dab.time_us) + "," + shortest(dab.face) + "," + shortest(dab.b1) + "," +
-           shortest(dab.b2) + "," + shortest(dab.pressure) + "]";
+    std::string text(1, '[');
+    for (std::uint32_t part : {dab.time_us, dab.face, dab.b1, dab.b2, dab.pressure})
+        text.append(text.size() > 1 ? "," : "").append(shortest(part));
+    return text.append("]");
 }
 
 std::string render_options(const std::optional<int>& spp, const std::optional<ImageSize>& size) {
@@ -91,7 +93,8 @@ struct Formatter {
         } else {
             const auto& vector = std::get<std::vector<double>>(op.value);
             text += "[";
-            for (std::size_t i = 0; i < vector.size(); ++i) text += (i > 0 ? "," : "") + number(vector[i]);
+            for (std::size_t i = 0; i < vector.size(); ++i)
+                text.append(i > 0 ? "," : "").append(number(vector[i]));
             text += "]";
         }
         return text + "}";

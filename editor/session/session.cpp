@@ -52,7 +52,7 @@ struct Session::State {
         brush.radius = scene.objects.front().mesh.sphere_radius * 0.1f;
         if (!displacement().map.empty()) map_path = displacement().map;
         const bool recording = !options.journal.empty() || options.recovery;
-        header.version = RELIEVO_VERSION;
+        header.version = std::string(RELIEVO_VERSION);
         header.scene = scene.path;
         header.map_width = file.map.width();
         header.map_height = file.map.height();
