@@ -26,13 +26,19 @@ struct Shading {
     ObjectData ob;
 };
 
+// Materials that reflect nothing straight on (specular 0) reflect nothing at grazing angles either: f90 follows f0.
+float schlick(float f0, float limit, float cosine) {
+    float f90 = min(limit, 50.0 * f0);
+    return f0 + max(f90 - f0, 0.0) * pow(1.0 - cosine, 5.0);
+}
+
 float ggx_specular(Shading s, vec3 light) {
     vec3 h = normalize(light + s.view);
     float nh = max(dot(s.ns, h), 0.0), nl = max(dot(s.ns, light), 0.0), nv = max(dot(s.ns, s.view), 1e-3);
     float a = s.ob.roughness * s.ob.roughness, a2 = a * a;
     float d = nh * nh * (a2 - 1.0) + 1.0;
     float lambda = nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2);
-    float fresnel = s.ob.specular + (1.0 - s.ob.specular) * pow(1.0 - max(dot(light, h), 0.0), 5.0);
+    float fresnel = schlick(s.ob.specular, 1.0, max(dot(light, h), 0.0));
     return a2 / (kPi * d * d) * 0.5 / max(lambda, 1e-6) * fresnel;
 }
 
@@ -88,8 +94,7 @@ vec3 shade(Shading s, uint pixel, bool preview) {
             sum += s.ob.albedo * sky_radiance(w);
     }
     if (kGloss) {
-        float nv = max(dot(s.ns, s.view), 0.0);
-        float fresnel = s.ob.specular + (max(1.0 - s.ob.roughness, s.ob.specular) - s.ob.specular) * pow(1.0 - nv, 5.0);
+        float fresnel = schlick(s.ob.specular, 1.0 - s.ob.roughness, max(dot(s.ns, s.view), 0.0));
         sum += fresnel * mix(sky_radiance(reflect(-s.view, s.ns)), sky_ambient(s.ns), s.ob.roughness);
     }
     return sum;

@@ -1,0 +1,66 @@
+// The live path: after an edit the image is that of a renderer built afresh, and only what grew was refitted.
+#include <gtest/gtest.h>
+
+#include "tests/renderer/device.h"
+
+namespace relievo::test {
+namespace {
+
+void raise(TestMap& map, const TexelRegion& r, std::uint16_t count) {
+    for (int y = r.y0; y < r.y1; ++y)
+        for (int x = r.x0; x < r.x1; ++x) map.texels[static_cast<std::size_t>(y * map.width + x)] = count;
+}
+
+TEST(LiveEdit, UploadEqualsARendererBuiltAfresh) {
+    const Scene scene = make_scene(ball_mesh(), 0.3);
+    TestMap map = bumps(256);
+    Renderer live = make_renderer(scene, map, settings_of(scene));
+    const std::vector<TexelRegion> regions{{20, 130, 90, 170}, {200, 100, 256, 140}, {0, 0, 3, 5}};
+    for (const TexelRegion& r : regions) raise(map, r, 65535);
+    const UploadStats stats = live.upload(0, map.view(), regions);
+    EXPECT_GT(stats.triangles_grown, 0);
+    EXPECT_LT(stats.triangles_grown, 300);
+    const auto a = live.read_back(Layer::depth), b = depth_of(scene, map, settings_of(scene));
+    int differ = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) differ += std::abs(a[i] - b[i]) > 2e-4f ? 1 : 0;
+    // Bounds that a fresh build would draw tighter move the samples along the ray a little.
+    EXPECT_LE(differ, 4);
+}
+
+TEST(LiveEdit, NothingIsRefittedWhenTheHeightsStayWithinTheirBounds) {
+    const Scene scene = make_scene(plane_mesh(), 0.3);
+    TestMap map = make_map(128, 128, [](double u, double) { return u < 0.1 ? 0.0 : u > 0.9 ? 1.0 : 0.5; });
+    Renderer live = make_renderer(scene, map, settings_of(scene));
+    const TexelRegion r{40, 40, 80, 80};
+    raise(map, r, 60000);
+    const UploadStats stats = live.upload(0, map.view(), std::span(&r, 1));
+    EXPECT_EQ(stats.triangles_touched, 2);
+    EXPECT_EQ(stats.triangles_grown, 0);
+    EXPECT_EQ(stats.refit_ms, 0);
+}
+
+TEST(LiveEdit, AmplitudeAndMidlevelChangeLive) {
+    const TestMap map = bumps(128);
+    const Scene small = make_scene(ball_mesh(), 0.1, 0.5), large = make_scene(ball_mesh(), -0.6, 0.2);
+    Renderer live = make_renderer(small, map, settings_of(small));
+    live.set_displacement(0, -0.6, 0.2);
+    EXPECT_EQ(live.read_back(Layer::depth), depth_of(large, map, settings_of(large)));
+}
+
+TEST(LiveEdit, OnlyTheWindowLosesItsSamples) {
+    const Scene scene = make_scene(plane_mesh(), 0.2);
+    const TestMap map = bumps(64);
+    Renderer r = make_renderer(scene, map, settings_of(scene));
+    r.render();
+    const auto before = r.read_back(Layer::beauty);
+    r.restart({8, 8, 24, 24});
+    const auto after = r.read_back(Layer::beauty);
+    for (std::size_t y = 0; y < 96; ++y)
+        for (std::size_t x = 0; x < 96; ++x) {
+            const bool inside = x >= 8 && x < 24 && y >= 8 && y < 24;
+            ASSERT_EQ(after[(y * 96 + x) * 4], inside ? 0.0f : before[(y * 96 + x) * 4]);
+        }
+}
+
+}  // namespace
+}  // namespace relievo::test
