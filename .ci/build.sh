@@ -1,0 +1,16 @@
+# Sourced by run.sh and test.sh: configures once and builds a preset; quiet unless something fails.
+
+relievo_build() {  # preset, target...
+    local preset=$1 folder=build/$1 log
+    shift
+    log=$(mktemp)
+    if [ ! -e "$folder/build.ninja" ]; then
+        echo "relievo: configuring ($preset)" >&2
+        cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; rm -f "$log"; return 1; }
+    fi
+    if ! ninja -C "$folder" -n "$@" 2>/dev/null | grep -q "no work to do"; then
+        echo "relievo: building ($preset)" >&2
+        cmake --build "$folder" --target "$@" >"$log" 2>&1 || { grep -E -A12 "error|FAILED" "$log" | head -n 60 >&2; rm -f "$log"; return 1; }
+    fi
+    rm -f "$log"
+}
