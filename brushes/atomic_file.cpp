@@ -89,7 +89,7 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> cont
     if (replaces && !S_ISREG(old.st_mode)) fail(path, "it is no regular file");
     if (replaces && ::access(target.c_str(), W_OK) != 0) fail_errno(path, errno);
 
-    std::string name = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
+    std::string name = (folder / ".").string() + target.filename().string() + ".XXXXXX";
     Descriptor fd(::mkostemp(name.data(), O_CLOEXEC));
     if (fd.get() < 0) fail_errno(path, errno);
     const fs::path temporary = name;

@@ -5,7 +5,10 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <system_error>
 
+#include "brushes/file_check.h"
 #include "brushes/map_origin.h"
 
 namespace relievo {
@@ -22,10 +25,15 @@ std::string library_error(std::string text) {
     return text.empty() ? "not a readable image" : text;
 }
 
-std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
+void check_file(const fs::path& path) {
     std::error_code error;
     if (!fs::exists(path, error)) fail(path, "no such file");
     if (!fs::is_regular_file(path, error)) fail(path, "not a file");
+    const std::string damage = png_damage(path);
+    if (!damage.empty()) fail(path, "cut off or damaged: " + damage);
+}
+
+std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);  // or colours come multiplied by alpha, and lose bits
     auto image = OIIO::ImageInput::open(path.string(), &config);
@@ -55,10 +63,22 @@ MapFormat format_in(const fs::path& path, const OIIO::ImageInput& image) {
                    "; a map is a 16-bit PNG or TIFF (8-bit works) or an EXR of half or float");
 }
 
-void read_pixels(const fs::path& path, OIIO::ImageInput& image, OIIO::TypeDesc type, void* pixels) {
+// Reads every row of a TIFF by itself: by whole images, the library passes strips whose checksum is wrong.
+bool read_rows(OIIO::ImageInput& image, OIIO::TypeDesc type, std::byte* pixels) {
     const OIIO::ImageSpec spec = image.spec();
-    if (!image.read_image(0, 0, 0, spec.nchannels, type, pixels))
-        fail(path, "cut off or damaged: " + library_error(image.geterror()));
+    const std::size_t row_bytes = static_cast<std::size_t>(spec.width * spec.nchannels) * type.size();
+    for (int y = 0; y < spec.height; ++y, pixels += row_bytes)
+        if (!image.read_scanline(spec.y + y, 0, type, pixels)) return false;
+    return true;
+}
+
+void read_pixels(const fs::path& path, OIIO::ImageInput& image, OIIO::TypeDesc type, std::byte* pixels) {
+    const OIIO::ImageSpec spec = image.spec();
+    const bool by_rows = std::string_view(image.format_name()) == "tiff" && spec.tile_width == 0;
+    const bool read =
+        by_rows ? read_rows(image, type, pixels) : image.read_image(0, 0, 0, spec.nchannels, type, pixels);
+    // The library can also note an error and go on with zeros.
+    if (!read || image.has_error()) fail(path, "cut off or damaged: " + library_error(image.geterror()));
     if (image.seek_subimage(1, 0) || image.seek_subimage(0, 1))
         fail(path, "holds several images or levels; a map is a file with one");
 }
@@ -123,6 +143,7 @@ bool is_float(MapFormat format) {
 LoadedMap load_map(const fs::path& path, MapRange range) {
     if (!(range.low < range.high) || !std::isfinite(range.high - range.low))
         fail(path, "the range's low must be below its high, both finite");
+    check_file(path);
     const auto image = open_image(path);
     check_spec(path, *image);
     auto origin = std::make_shared<MapOrigin>();

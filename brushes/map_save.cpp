@@ -45,10 +45,10 @@ bool is_encoding(std::string_view name) {
     return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
-// Belongs to one file format; means nothing, or something else, in another.
+// Belongs to one file format or to its colour channels; means nothing, or something else, in another.
 bool is_format_bound(std::string_view name) {
-    constexpr std::array<std::string_view, 6> kPrefixes{
-        "png:", "tiff:", "openexr:", "compression", "planarconfig", "oiio:"};
+    constexpr std::array<std::string_view, 7> kPrefixes{
+        "ICCProfile", "png:", "tiff:", "openexr:", "compression", "planarconfig", "oiio:"};
     return std::any_of(kPrefixes.begin(), kPrefixes.end(),
                        [&](std::string_view p) { return name.starts_with(p); });
 }
