@@ -13,7 +13,7 @@ double dunes(double x, double z) {
     const double bend = fractal_noise({x * 1.3, 0.0, z * 1.3}, 3, 11);
     const double phase = 3.1 * z + 0.9 * x + 1.1 * bend;
     const double wave = phase - std::floor(phase);
-    const double crest = wave < 0.72 ? smooth_step(0.0, 0.78, wave) : smooth_step(1.06, 0.66, wave);
+    const double crest = wave < 0.72 ? smooth_step(0.0, 0.72, wave) : smooth_step(1.0, 0.68, wave);
     const double fade = 0.55 + 0.45 * noise({x * 1.7 + 5.0, 0.0, z * 1.7}, 12);
     const double ripple_phase = 62.0 * (z + 0.35 * x) + 9.0 * noise({x * 3.0, 1.0, z * 3.0}, 13);
     return 0.11 * crest * fade + 0.0035 * sine(ripple_phase) * (1.0 - crest * 0.6);
