@@ -1,0 +1,167 @@
+// kill -9 loses at most the stroke under way.
+#include "editor/session/recovery.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <functional>
+
+#include "editor/session/replay.h"
+#include "tests/session/test_scene.h"
+
+namespace relievo {
+namespace {
+
+using test::sculpt;
+using test::TemporaryFolder;
+
+class Recovery : public testing::Test {
+  protected:
+    Recovery() {
+        setenv("XDG_STATE_HOME", folder_.path().c_str(), 1);
+        scene_ = test::write_scene(folder_.path());
+    }
+
+    static SessionOptions recovering() {
+        SessionOptions options = test::headless();
+        options.recovery = true;
+        return options;
+    }
+
+    // Runs `work` in another process, which ends by kill -9.
+    void run_killed(const std::function<void(Session&)>& work) {
+        const pid_t child = fork();
+        if (child == 0) {
+            Session session(scene_, recovering());
+            work(session);
+            std::raise(SIGKILL);
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+    }
+
+    std::uint64_t hash_after(const std::function<void(Session&)>& work) {
+        Session session(scene_, test::headless());
+        work(session);
+        return session.map().hash();
+    }
+
+    TemporaryFolder folder_;
+    std::filesystem::path scene_;
+};
+
+TEST_F(Recovery, AKillInsideAStrokeLosesThatStrokeOnly) {
+    const auto three = [](Session& session) {
+        sculpt(session, 1);
+        sculpt(session, 2, 20, Tool::smooth);
+        sculpt(session, 3);
+    };
+    run_killed([&](Session& session) {
+        three(session);
+        session.begin_stroke();
+        session.dab(Dab{});
+        session.dab(Dab{});
+    });
+    const auto found = find_abandoned_journals();
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].edits, 3u);
+    EXPECT_EQ(found[0].scene, scene_);
+    EXPECT_TRUE(found[0].base_map.empty());
+    {
+        Session session(scene_, recovering());
+        replay(read_journal(found[0].journal), session);
+        EXPECT_EQ(session.map().hash(), hash_after(three));
+        EXPECT_TRUE(session.unsaved());
+        remove_recovery(found[0].journal);
+        EXPECT_TRUE(find_abandoned_journals().empty()) << "a living session is not offered";
+    }
+    EXPECT_EQ(find_abandoned_journals().size(), 1u) << "restored, and still unsaved";
+}
+
+TEST_F(Recovery, AKillAfterSavingOverTheMapReplaysOnTheOldOne) {
+    const auto all = [](Session& session) {
+        sculpt(session, 1);
+        sculpt(session, 2);
+        session.undo();
+        session.undo();
+        sculpt(session, 4);
+    };
+    const std::uint64_t wanted = hash_after(all);
+    run_killed([&](Session& session) {
+        sculpt(session, 1);
+        sculpt(session, 2);
+        session.save(folder_.path() / "map.tif");
+        session.undo();
+        session.undo();
+        sculpt(session, 4);
+    });
+    const auto found = find_abandoned_journals();
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].edits, 3u);
+    EXPECT_EQ(found[0].base_map.extension(), ".tif");
+    {
+        SessionOptions options = recovering();
+        options.map = found[0].base_map;
+        Session session(scene_, options);
+        replay(read_journal(found[0].journal), session);
+        EXPECT_EQ(session.map().hash(), wanted);
+        EXPECT_TRUE(session.unsaved());
+        EXPECT_EQ(session.map_path(), folder_.path() / "map.tif");
+        remove_recovery(found[0].journal);
+    }
+    const auto again = find_abandoned_journals();  // that session ended with work unsaved
+    ASSERT_EQ(again.size(), 1u);
+    SessionOptions options = test::headless();
+    options.map = again[0].base_map;
+    Session session(scene_, options);
+    replay(read_journal(again[0].journal), session);
+    EXPECT_EQ(session.map().hash(), wanted);
+}
+
+TEST_F(Recovery, AKillWithNothingUnsavedOffersNothing) {
+    run_killed([](Session&) {});
+    EXPECT_TRUE(find_abandoned_journals().empty());
+    run_killed([&](Session& session) {
+        sculpt(session, 1);
+        session.save(folder_.path() / "map.tif");
+    });
+    EXPECT_TRUE(find_abandoned_journals().empty());
+    EXPECT_TRUE(std::filesystem::is_empty(recovery_folder()));
+}
+
+TEST_F(Recovery, ACleanEndLeavesNoFile) {
+    {
+        Session session(scene_, recovering());
+        sculpt(session, 1);
+        session.save(folder_.path() / "out.png");
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(recovery_folder()));
+    {
+        Session session(scene_, recovering());
+        sculpt(session, 1);
+        session.discard_recovery();
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(recovery_folder()));
+}
+
+TEST_F(Recovery, ADamagedJournalDoesNotKeepTheProgramFromStarting) {
+    std::filesystem::create_directories(recovery_folder());
+    test::write_text(recovery_folder() / "bad.jsonl", "{\"relievo_journal\":1}\n{\"op\":\"fly\"}\n");
+    test::write_text(recovery_folder() / "empty.jsonl", "");
+    EXPECT_TRUE(find_abandoned_journals().empty());
+}
+
+TEST_F(Recovery, AStateFolderThatCannotBeMadeIsReportedAndSculptingGoesOn) {
+    setenv("XDG_STATE_HOME", (scene_ / "not a folder").c_str(), 1);
+    Session session(scene_, recovering());
+    sculpt(session, 1);
+    EXPECT_NE(session.journal_error(), "");
+    EXPECT_TRUE(session.undo());
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,282 @@
+// The session's commands, and that a replay of their record gives the same bytes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "editor/session/replay.h"
+#include "tests/session/test_scene.h"
+
+namespace relievo {
+namespace {
+
+using test::headless;
+using test::sculpt;
+using test::TemporaryFolder;
+using test::write_scene;
+
+std::vector<std::uint16_t> texels(const Session& session) {
+    const auto span = session.map().texels();
+    return {span.begin(), span.end()};
+}
+
+SessionOptions recorded(const TemporaryFolder& folder) {
+    SessionOptions options = headless();
+    options.journal = folder.path() / "live.jsonl";
+    return options;
+}
+
+// A session in which everything happens that can happen to a map.
+void work(Session& session) {
+    sculpt(session, 1);
+    sculpt(session, 2, 8, Tool::smooth);
+    sculpt(session, 3, 8, Tool::flatten);
+    session.undo();
+    session.set("amplitude", 0.3);
+    sculpt(session, 4, 5, Tool::level);
+    session.undo();
+    session.redo();
+    session.set("midlevel", 0.25);
+    session.brush().invert = true;
+    sculpt(session, 5, 30);
+    session.begin_stroke();
+    session.dab(Dab{});
+    session.cancel_stroke();
+    sculpt(session, 6, 3, Tool::erase);
+}
+
+TEST(Session, ReplayGivesTheLiveBytes) {
+    const TemporaryFolder folder;
+    const auto scene = write_scene(folder.path());
+    std::vector<std::uint16_t> start, live;
+    {
+        Session session(scene, recorded(folder));
+        start = texels(session);
+        work(session);
+        live = texels(session);
+        EXPECT_EQ(session.journal_error(), "");
+    }
+    EXPECT_NE(start, live);
+    const Journal journal = read_journal(folder.path() / "live.jsonl");
+    EXPECT_EQ(journal.header.scene, "scene.json");
+    Session again(scene, headless());
+    const ReplayReport report = replay(journal, again);
+    EXPECT_EQ(texels(again), live);
+    EXPECT_EQ(report.strokes, 6u);
+    EXPECT_EQ(report.dab_times.size(), report.dabs);
+}
+
+TEST(Session, ReplaysOnTwoThreadsAtOnceGiveTheSameBytes) {
+    const TemporaryFolder folder;
+    const auto scene = write_scene(folder.path());
+    {
+        Session session(scene, recorded(folder));
+        work(session);
+    }
+    const Journal journal = read_journal(folder.path() / "live.jsonl");
+    std::uint64_t hashes[2] = {0, 1};
+    std::vector<std::thread> threads;
+    for (std::uint64_t& hash : hashes)
+        threads.emplace_back([&] {
+            Session session(scene, headless());
+            replay(journal, session);
+            hash = session.map().hash();
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(Session, AmplitudeOfTheRecordCountsNotTheScenesOfToday) {
+    const TemporaryFolder folder;
+    const auto scene = write_scene(folder.path());
+    std::uint64_t live = 0;
+    {
+        Session session(scene, recorded(folder));
+        work(session);
+        live = session.map().hash();
+    }
+    std::string text = test::read_text(scene);
+    text.replace(text.find("0.2"), 3, "0.9");
+    test::write_text(scene, text);
+    Session again(scene, headless());
+    replay(read_journal(folder.path() / "live.jsonl"), again);
+    EXPECT_EQ(again.map().hash(), live);
+}
+
+TEST(Session, AnotherMapOrMeshIsRefusedUnlessForced) {
+    const TemporaryFolder folder, other;
+    const auto scene = write_scene(folder.path());
+    {
+        Session session(scene, recorded(folder));
+        sculpt(session, 1);
+    }
+    const Journal journal = read_journal(folder.path() / "live.jsonl");
+    const auto flat = write_scene(other.path(), true);
+    Session wrong(flat, headless());
+    try {
+        replay(journal, wrong);
+        FAIL() << "no error";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find("live.jsonl:1: map_hash: recorded on map "),
+                  std::string::npos)
+            << error.what();
+    }
+    ReplayOptions force;
+    force.force = true;
+    EXPECT_EQ(replay(journal, wrong, force).strokes, 1u);
+
+    std::string obj = test::read_text(folder.path() / "sheet.obj");
+    obj.replace(obj.find("v -1 -1"), 7, "v -2 -1");
+    test::write_text(folder.path() / "sheet.obj", obj);
+    Session moved(scene, headless());
+    try {
+        replay(journal, moved);
+        FAIL() << "no error";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find("mesh_hash"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Session, UnsavedFollowsUndoRedoAndSave) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path()), headless());
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_FALSE(session.undo());
+    const auto start = texels(session);
+    sculpt(session, 1);
+    EXPECT_TRUE(session.unsaved());
+    EXPECT_TRUE(session.undo());
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_EQ(texels(session), start);
+    session.redo();
+    session.save(folder.path() / "out.png");
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_EQ(session.map_path(), folder.path() / "out.png");
+    session.undo();
+    EXPECT_TRUE(session.unsaved());
+    EXPECT_TRUE(session.revert());
+    EXPECT_FALSE(session.unsaved());
+    session.undo();
+    sculpt(session, 2);
+    EXPECT_TRUE(session.unsaved()) << "another stroke at the saved depth is another map";
+    const auto before = texels(session);
+    EXPECT_FALSE(session.revert()) << "the saved state is gone from the stack";
+    EXPECT_EQ(texels(session), before);
+}
+
+TEST(Session, SavedMapLoadsBackEqual) {
+    const TemporaryFolder folder;
+    const auto scene = write_scene(folder.path());
+    for (const char* name : {"out.png", "out.tif", "out.exr", "map.tif"}) {
+        Session session(scene, headless());
+        sculpt(session, 1);
+        session.save(folder.path() / name);
+        EXPECT_EQ(load_map(folder.path() / name).map.hash(), session.map().hash()) << name;
+    }
+}
+
+TEST(Session, ASceneWithoutAMapStartsFlat) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path(), true), headless());
+    EXPECT_EQ(session.map().width(), 64);
+    const auto all = texels(session);
+    EXPECT_TRUE(std::all_of(all.begin(), all.end(), [](std::uint16_t v) { return v == 32768; }));
+    EXPECT_FALSE(session.map_path());
+}
+
+TEST(Session, AStrokeWithoutDabsOrWithNoEffectIsNoStep) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path()), recorded(folder));
+    session.begin_stroke();
+    session.end_stroke();
+    session.brush().strength = 0;
+    sculpt(session, 1);
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_FALSE(session.undo());
+}
+
+TEST(Session, CommandsInsideAStrokeAreRefused) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path()), headless());
+    session.begin_stroke();
+    session.dab(Dab{});
+    EXPECT_THROW(session.undo(), std::logic_error);
+    EXPECT_THROW(session.save(folder.path() / "a.png"), std::logic_error);
+    EXPECT_THROW(session.set("amplitude", 1.0), std::logic_error);
+    EXPECT_THROW(session.begin_stroke(), std::logic_error);
+    session.end_stroke();
+    EXPECT_TRUE(session.undo());
+}
+
+TEST(Session, ASessionLeftInsideAStrokeEndsQuietly) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path()), recorded(folder));
+    session.begin_stroke();
+    session.dab(Dab{});
+}
+
+TEST(Session, WrongSettingsAreNamedAndChangeNothing) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path()), recorded(folder));
+    const std::pair<const char*, SetValue> wrong[] = {
+        {"amplitud", 1.0},
+        {"amplitude", std::nan("")},
+        {"amplitude", std::numeric_limits<double>::infinity()},
+        {"amplitude", std::string("big")},
+        {"midlevel", 1.5},
+        {"method", std::string("magic")},
+        {"method", 1.0},
+        {"method.nothing", 1.0},
+        {"camera", std::vector<double>{1, 2, 3}},
+        {"camera", std::vector<double>{0, 0, 0, 0, 0, 0, 0, 1, 0, 40}},
+        {"lights[99].intensity", 1.0},
+        {"lights[x].intensity", 1.0},
+        {"lights[0].colour", 1.0},
+        {"material.albedo", std::vector<double>{2, 0, 0}},
+        {"environment.sun", 1.0},
+    };
+    for (const auto& [key, value] : wrong) {
+        try {
+            session.set(key, value);
+            ADD_FAILURE() << key << ": no error";
+        } catch (const std::invalid_argument& error) {
+            EXPECT_NE(std::string(error.what()).size(), 0u);
+        }
+    }
+    EXPECT_EQ(session.scene().objects[0].displacement.amplitude, 0.2);
+    EXPECT_TRUE(read_journal(folder.path() / "live.jsonl").entries.empty());
+}
+
+TEST(Session, SettingsReachTheScene) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path()), headless());
+    session.set("amplitude", -1.0);
+    session.set("lights[0].intensity", 7.0);
+    session.set("material.albedo", std::vector<double>{0.1, 0.2, 0.3});
+    session.set("environment.intensity", 0.0);
+    Camera camera;
+    camera.eye = {1, 2, 3};
+    camera.fov_deg = 55;
+    session.set_camera(camera);
+    EXPECT_EQ(session.scene().objects[0].displacement.amplitude, -1.0);
+    EXPECT_EQ(session.surface().amplitude(), -1.0f);
+    EXPECT_EQ(session.scene().lights[0].intensity, 7.0f);
+    EXPECT_EQ(session.scene().camera.eye, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(session.scene().camera.fov_deg, 55);
+}
+
+TEST(Session, BrushesOutOfRangeAreRefused) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path()), headless());
+    session.brush().radius = std::nanf("");
+    EXPECT_THROW(session.begin_stroke(), std::invalid_argument);
+    session.brush().radius = -1;
+    EXPECT_THROW(session.begin_stroke(), std::invalid_argument);
+    EXPECT_FALSE(session.in_stroke());
+}
+
+}  // namespace
+}  // namespace relievo
