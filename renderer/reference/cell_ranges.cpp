@@ -14,7 +14,7 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
 }
 
 int differing_bits(std::int64_t a, std::int64_t b) {
-    return std::bit_width(static_cast<std::uint64_t>(a) ^ static_cast<std::uint64_t>(b));
+    return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(a ^ b)));
 }
 
 void include(HeightRange& range, const HeightRange& other) {
@@ -35,7 +35,8 @@ std::int64_t CellRanges::Axis::texel(std::int64_t cell) const {
 }
 
 // First and last column of the cells [low, high): the whole axis where they reach over a period's end.
-void CellRanges::Axis::span(std::int64_t low, std::int64_t high, std::int64_t& first, std::int64_t& last) const {
+void CellRanges::Axis::span(std::int64_t low, std::int64_t high, std::int64_t& first,
+                            std::int64_t& last) const {
     first = local(low);
     last = local(high - 1);
     if (last - first != high - 1 - low) first = 0, last = cells - 1;
@@ -44,7 +45,8 @@ void CellRanges::Axis::span(std::int64_t low, std::int64_t high, std::int64_t& f
 CellRanges::CellRanges(const ReferenceTexels<std::uint16_t>& map, Wrap wrap) : texels_(map.texels) {
     const bool repeat = wrap == Wrap::repeat;
     const std::array<std::int64_t, 2> size{map.width, map.height};
-    for (std::size_t a = 0; a < 2; ++a) axes_[a] = {size[a], repeat || size[a] == 1 ? size[a] : size[a] + 1, repeat};
+    for (std::size_t a = 0; a < 2; ++a)
+        axes_[a] = {size[a], repeat || size[a] == 1 ? size[a] : size[a] + 1, repeat};
     build();
 }
 
@@ -127,10 +129,8 @@ std::int64_t CellRanges::cut(const Cells& cells, int axis) const {
     const Axis& info = axes_[a];
     const std::int64_t low = cells.low[a], high = cells.high[a];
     if (info.repeat && floor_divide(low, info.texels) != floor_divide(high - 1, info.texels)) {
-        // At the period's end that lies nearest the middle.
-        const std::int64_t below = floor_divide(low + (high - low) / 2, info.texels) * info.texels;
-        const bool take_below = below > low && (below + info.texels >= high || high - low < 2 * (below - low) + 1);
-        return take_below ? below : below + info.texels;
+        const std::int64_t period = floor_divide(low + (high - low) / 2, info.texels) * info.texels;
+        return period > low ? period : period + info.texels;
     }
     const std::int64_t first = info.local(low), last = info.local(high - 1);
     const int bit = differing_bits(first, last) - 1;
@@ -141,7 +141,12 @@ CellCounts CellRanges::counts(const Cells& single) const {
     const std::int64_t x0 = axes_[0].texel(single.low[0]), x1 = axes_[0].texel(single.low[0] + 1);
     const std::int64_t y0 = axes_[1].texel(single.low[1]), y1 = axes_[1].texel(single.low[1] + 1);
     const double a = at(x0, y0), b = at(x1, y0), c = at(x0, y1), d = at(x1, y1);
-    return {static_cast<double>(single.low[0]), static_cast<double>(single.low[1]), a, b - a, c - a, a - b - c + d};
+    return {static_cast<double>(single.low[0]),
+            static_cast<double>(single.low[1]),
+            a,
+            b - a,
+            c - a,
+            a - b - c + d};
 }
 
 }  // namespace relievo::reference

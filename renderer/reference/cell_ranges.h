@@ -1,8 +1,9 @@
 // Least and greatest heights over blocks of texel cells, and the cells' bilinear coefficients.
 //
-// In texel coordinates t = uv * size - 1/2, cell i spans [i, i + 1] between the centres of texels i and i + 1. Cell
-// numbers are not wrapped: a triangle may reach over many periods of the map. With clamp, everything left of texel 0
-// is cell -1 and everything right of the last texel is cell size - 1; an axis of one texel has the one cell 0.
+// In texel coordinates t = uv * size - 1/2, cell i spans [i, i + 1] between the centres of texels i and i
+// + 1. Cell numbers are not wrapped: a triangle may reach over many periods of the map. With clamp,
+// everything left of texel 0 is cell -1 and everything right of the last texel is cell size - 1; an axis of
+// one texel has the one cell 0.
 #pragma once
 
 #include <array>

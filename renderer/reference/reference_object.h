@@ -1,0 +1,25 @@
+// An object inside the reference: its heights with their bounds, and its holes.
+#pragma once
+
+#include "renderer/reference/cell_ranges.h"
+#include "renderer/reference/face_shape.h"
+
+namespace relievo::reference {
+
+struct Interval {
+    double low, high;
+};
+
+struct ObjectData {
+    ReferenceObject source;
+    CellRanges ranges;
+
+    double displacement(double count) const { return source.amplitude * (count / 65535.0 - source.midlevel); }
+    Interval displacement(const HeightRange& counts) const;
+    CellPatch patch(const Cells& single) const;
+    static CellPatch flat_patch(double displacement) { return {glm::dvec2(0), displacement, 0, 0, 0}; }
+    Cells cover(const glm::dvec2& low, const glm::dvec2& high) const;
+    bool opaque(const glm::dvec2& texel) const;  // at texel coordinates of the height map
+};
+
+}  // namespace relievo::reference
