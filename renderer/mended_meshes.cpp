@@ -8,8 +8,6 @@
 namespace relievo {
 namespace {
 
-constexpr double kCreaseDegrees = 5;  // the paper's example threshold
-
 // Barycentrics of the base face's point nearest to `p`, in the face's plane, held inside the face.
 FacePoint nearest_on_face(const Mesh& mesh, std::uint32_t face, const glm::dvec3& p) {
     const auto& f = mesh.faces[face].position;
@@ -31,11 +29,11 @@ FacePoint nearest_on_face(const Mesh& mesh, std::uint32_t face, const glm::dvec3
 }  // namespace
 
 MendedMeshes::MendedMeshes(const Scene& scene) : scene_(&scene) {
-    for (const SceneObject& object : scene.objects) mended_.push_back(mend_creases(object.mesh, kCreaseDegrees));
+    for (const SceneObject& object : scene.objects) mended_.push_back(mend_creases(object.mesh));
 }
 
 bool MendedMeshes::any() const {
-    return std::any_of(mended_.begin(), mended_.end(), [](const MendedMesh& m) { return m.creases > 0; });
+    return std::any_of(mended_.begin(), mended_.end(), [](const MendedMesh& m) { return m.mended_edges > 0; });
 }
 
 std::vector<Mesh> MendedMeshes::traced(bool mended) const {
@@ -47,7 +45,7 @@ std::vector<Mesh> MendedMeshes::traced(bool mended) const {
 
 FacePoint MendedMeshes::on_base(std::size_t object, const FacePoint& traced) const {
     const MendedMesh& m = mended_[object];
-    if (m.creases == 0) return traced;
+    if (m.mended_edges == 0) return traced;
     const auto& f = m.mesh.faces[traced.face].position;
     const glm::dvec3 p = glm::dvec3(m.mesh.positions[f[0]]) * (1.0 - traced.b1 - traced.b2) +
                          glm::dvec3(m.mesh.positions[f[1]]) * double{traced.b1} +
