@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "renderer/scene/mesh_soup.h"
+#include "renderer/scene/ply_header.h"
 #include "renderer/scene/text_scan.h"
 
 namespace relievo {
@@ -132,41 +133,7 @@ om::IO::Options wanted() {
     return om::IO::Options::VertexNormal | om::IO::Options::VertexTexCoord;
 }
 
-// A PLY header with the names of texture coordinates that OpenMesh knows, and what it says of the rest.
-struct PlyHeader {
-    std::string text;
-    std::size_t original_size = 0;
-    bool ascii = true, doubles = false, corner_uvs = false;
-};
-
-PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view bytes) {
-    const auto fail = [&](const std::string& what) {
-        throw std::invalid_argument(path.string() + ": " + what);
-    };
-    PlyHeader header;
-    std::string_view rest = bytes;
-    if (next_line(rest) != "ply") fail("is not a PLY file (it must start with the line 'ply')");
-    header.text = "ply\n";
-    for (bool more = true; more;) {
-        if (rest.empty()) fail("the PLY header is cut off (no line 'end_header')");
-        const std::string_view line = next_line(rest);
-        std::string_view words = line;
-        const std::string_view first = next_token(words), second = next_token(words),
-                               third = next_token(words);
-        if (first == "format") header.ascii = second == "ascii";
-        if (first == "property" && third == "x") header.doubles = second == "double" || second == "float64";
-        if (first == "property" && second == "list" && line.ends_with("texcoord")) header.corner_uvs = true;
-        if (first == "property" && (third == "texture_u" || third == "texture_v")) {
-            header.text += "property " + std::string(second) + " " + std::string(third.substr(8)) + "\n";
-        } else {
-            header.text += std::string(line) + "\n";
-        }
-        more = first != "end_header";
-    }
-    header.original_size = bytes.size() - rest.size();
-    return header;
-}
-
+// Where the reader gave up.
 [[noreturn]] void fail_at(const std::filesystem::path& path, const PlyHeader& header, std::istringstream& in,
                           const std::string& text) {
     in.exceptions(std::ios::goodbit);
@@ -176,9 +143,11 @@ PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view by
     std::string message = path.string() + ": ";
     if (header.ascii) {
         const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
-        message += "line " + std::to_string(lines) + ": cut off, or not a finite number";
+        message += "line " +
+                   std::to_string(static_cast<std::size_t>(lines) - header.lines + header.original_lines) +
+                   ": cut off, or not a finite number";
     } else {
-        message += "byte " + std::to_string(at + header.original_size - header.text.size()) + ": cut off";
+        message += "byte " + std::to_string(at + header.original_bytes - header.text.size()) + ": cut off";
     }
     throw std::invalid_argument(message);
 }
@@ -206,7 +175,7 @@ void warn_of_lost_digits(const PlyHeader& header, MeshSoup& soup) {
 
 MeshSoup read_ply(const std::filesystem::path& path, const std::string& bytes) {
     const PlyHeader header = read_ply_header(path, bytes);
-    const std::string text = header.text + bytes.substr(header.original_size);
+    const std::string text = header.text + bytes.substr(header.original_bytes);
     std::istringstream in(text);
     in.exceptions(std::ios::failbit | std::ios::badbit);
     SoupImporter importer;

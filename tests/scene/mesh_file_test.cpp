@@ -126,6 +126,7 @@ TEST_F(MeshFiles, ply_text_binary_and_every_name_of_texture_coordinates) {
     const std::string names[][2] = {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}};
     for (const auto& [u, v] : names) {
         std::string header = kPlyHeader;
+        header.replace(header.find("vertex_indices"), 14, u == "u" ? "vertex_index" : "vertex_indices");
         header.replace(header.find("float s"), 7, "float " + u);
         header.replace(header.find("float t\n"), 8, "float " + v + "\n");
         const MeshFile file = load("a.ply", header + kPlyVertices + "3 0 1 2\n");
@@ -205,7 +206,9 @@ TEST_F(MeshFiles, obj_errors_name_the_line) {
 
 TEST_F(MeshFiles, ply_errors) {
     EXPECT_NE(refused("a.ply", "hello").find("is not a PLY file"), std::string::npos);
-    EXPECT_NE(refused("a.ply", kPlyHeader.substr(0, 60)).find("header is cut off"), std::string::npos);
+    EXPECT_NE(
+        refused("a.ply", kPlyHeader.substr(0, kPlyHeader.find("element face"))).find("header is cut off"),
+        std::string::npos);
     EXPECT_EQ(refused("a.ply", kPlyHeader + kPlyVertices + "3 0 1 9\n"),
               "a.ply: face 0 (counted from 0): names vertex 9, the file has 3 (counted from 0)");
     EXPECT_EQ(refused("a.ply", kPlyHeader + kPlyVertices + "3 0 -1 1\n"),
@@ -216,6 +219,21 @@ TEST_F(MeshFiles, ply_errors) {
               "a.ply: line 15: cut off, or not a finite number");
     EXPECT_EQ(refused("a.ply", kPlyHeader + kPlyVertices + "99999999999 0 1 2\n"),
               "a.ply: line 18: cut off, or not a finite number");
+    const auto with = [](const std::string& line) {
+        return "ply\nformat ascii 1.0\ncomment none\n" + line + "\nend_header\n";
+    };
+    EXPECT_EQ(refused("a.ply", with("property float x")), "a.ply: line 4: a property must follow an element");
+    EXPECT_EQ(refused("a.ply", with("element vertex -3")),
+              "a.ply: line 4: the number of 'vertex' must be 0 or more");
+    EXPECT_EQ(refused("a.ply", with("element vertex 3\nproperty quad x")),
+              "a.ply: line 5: unknown type 'quad'");
+    EXPECT_EQ(refused("a.ply", with("elephant vertex 3")),
+              "a.ply: line 4: 'elephant vertex 3' does not belong into a PLY header");
+    EXPECT_EQ(refused("a.ply", with("element vertex 3\nproperty float x")),
+              "a.ply: line 6: the PLY header has no vertices with a property y");
+    EXPECT_EQ(refused("a.ply", "ply\nformat ascii 1.0\ncomment a\ncomment b\n" + kPlyHeader.substr(21) +
+                                   kPlyVertices + "3 0\n"),
+              "a.ply: line 21: cut off, or not a finite number");
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(refused("a.ply", binary_ply(nan, 3)),
               "a.ply: face 0 (counted from 0): vertex 0 is NaN or infinite; positions must be finite");
@@ -225,7 +243,9 @@ TEST_F(MeshFiles, ply_errors) {
     }
     std::string huge = whole;
     huge.replace(huge.find("face 1"), 6, "face 4000000000");
-    EXPECT_NE(refused("a.ply", huge).find("cut off"), std::string::npos);
+    EXPECT_EQ(
+        refused("a.ply", huge),
+        "a.ply: line 12: cut off: the header promises 4000000000 of 'face', more than the file has bytes");
 }
 
 TEST_F(MeshFiles, off_errors) {
