@@ -1,0 +1,156 @@
+// One open scene in the window: the loop of input, tracing and drawing.
+#include "editor/gui/app.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <chrono>
+#include <utility>
+
+#include "editor/gui/keys.h"
+#include "editor/gui/panels.h"
+#include "editor/session/image_file.h"
+
+namespace relievo::gui {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kInputMs = 40;    // of strokes, before the picture gets its turn
+constexpr double kTraceMs = 40;    // a frame
+constexpr double kRestSeconds = 0.5;
+constexpr int kSettleFrames = 3;
+
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+App::App(Window& window, Screen& screen, Session& session, const std::string& message)
+    : window_(&window), screen_(&screen), live_(session), desk_(session, live_, toasts_), pointer_(desk_) {
+    if (!message.empty()) toasts_.error(message);
+    for (const std::string& warning : session.scene().warnings) toasts_.info(warning);
+}
+
+void App::offer(std::vector<AbandonedJournal> abandoned) {
+    desk_.abandoned = std::move(abandoned);
+    if (!desk_.abandoned.empty()) desk_.view.wanted = Dialog::recovery;
+}
+
+Departure App::run() {
+    while (!desk_.departure) {
+        wait_for_input();
+        handle_input();
+        if (window_->close_wanted()) {
+            window_->refuse_close();
+            pointer_.cancel();
+            desk_.leave({});
+        }
+        if (screen_->begin()) {
+            draw_interface();
+            screen_->end(&live_.picture(), layout_.picture.x, layout_.picture.y);
+            if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
+        }
+        live_.work(kTraceMs);
+        follow_pointer();
+        update_title();
+    }
+    return *desk_.departure;
+}
+
+void App::wait_for_input() {
+    const bool busy = !live_.idle() || pointer_stale_ || !window_->events().empty() || frames_due_ > 0 ||
+                      desk_.view.wanted != Dialog::none;
+    if (busy) {
+        window_->poll();
+    } else {
+        window_->wait(toasts_.empty() ? 60 : kRestSeconds);
+        frames_due_ = 1;
+    }
+    if (!window_->events().empty()) frames_due_ = kSettleFrames;
+    if (frames_due_ > 0) --frames_due_;
+}
+
+// Dialogs and open menus keep the pointer to themselves. Asked at each press: Dear ImGui's own answer is as old as
+// its last frame.
+bool App::picture_free() const {
+    return !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+void App::handle_input() {
+    const auto start = Clock::now();
+    auto& events = window_->events();
+    while (!events.empty() && ms_since(start) < kInputMs) {
+        const InputEvent event = events.front();
+        events.pop_front();
+        if (event.kind == InputEvent::Kind::key) {
+            handle_key(event);
+            continue;
+        }
+        pointer_.on_event(event, layout_.picture, picture_free());
+        x_ = event.x;
+        y_ = event.y;
+        pointer_stale_ = true;
+    }
+    pointer_.apply_camera();
+}
+
+void App::handle_key(const InputEvent& event) {
+    if (event.code == GLFW_KEY_ESCAPE) return pointer_.cancel();
+    if (pointer_.dragging() || ImGui::GetIO().WantTextInput || !picture_free()) return;
+    pointer_.apply_camera();
+    on_key(desk_, event, {layout_.picture.width, layout_.picture.height});
+    pointer_stale_ = true;
+}
+
+// Not while there is a picture to trace for a moving camera or a stroke: those come first.
+void App::follow_pointer() {
+    const bool over = layout_.picture.holds(x_, y_) && picture_free();
+    if (!over) {
+        desk_.cursor.hide();
+        pointer_stale_ = false;
+        return;
+    }
+    if (desk_.view.brush_drag == BrushDrag::none && (pointer_stale_ || !live_.idle()))
+        desk_.cursor.follow(desk_.session, live_, x_ - layout_.picture.x, y_ - layout_.picture.y);
+    if (desk_.view.brush_drag != BrushDrag::none) desk_.cursor.resize(desk_.session);
+    pointer_stale_ = false;
+}
+
+void App::draw_interface() {
+    layout_ = make_layout(screen_->size(), desk_.view.interface_hidden, desk_.view.side_width);
+    live_.resize({layout_.picture.width, layout_.picture.height});
+    desk_.cursor.draw(*ImGui::GetBackgroundDrawList(), desk_.session, live_.size(), layout_.picture.x,
+                      layout_.picture.y, pointer_.in_stroke());
+    if (!desk_.view.interface_hidden) {
+        draw_top_bar(desk_, layout_.top);
+        draw_tool_column(desk_, layout_.tools);
+        draw_side_panel(desk_, layout_.side);
+        draw_status_bar(desk_, layout_.status);
+    }
+    dialogs_.draw(desk_);
+    const float margin = 14;
+    toasts_.draw(static_cast<float>(layout_.picture.x) + margin,
+                 static_cast<float>(layout_.picture.y + layout_.picture.height) - margin,
+                 static_cast<float>(layout_.picture.width) * 0.6f);
+}
+
+void App::update_title() {
+    const Session& session = desk_.session;
+    const auto path = session.map_path();
+    const std::string map = path ? path->filename().string() : "new map";
+    window_->set_title((session.unsaved() ? "* " : "") + map + " - " + session.scene().path.filename().string() +
+                       " - Relievo");
+}
+
+void App::save_screenshot() {
+    std::filesystem::path path;
+    for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
+        path = "relievo-screenshot-" + std::to_string(number) + ".png";
+    if (desk_.attempt([&] { write_png(path, screen_->screenshot()); }))
+        toasts_.info("Saved " + std::filesystem::absolute(path).string());
+}
+
+}  // namespace relievo::gui

@@ -1,0 +1,46 @@
+// One open scene in the window: the loop of input, tracing and drawing.
+#pragma once
+
+#include <filesystem>
+
+#include "editor/gui/desk.h"
+#include "editor/gui/dialogs.h"
+#include "editor/gui/layout.h"
+#include "editor/gui/pointer_control.h"
+#include "editor/gui/screen.h"
+
+namespace relievo::gui {
+
+class App {
+  public:
+    // `message`: shown at the start, as an error; may be empty.
+    App(Window& window, Screen& screen, Session& session, const std::string& message);
+
+    void offer(std::vector<AbandonedJournal> abandoned);
+    // Until the user leaves the scene.
+    Departure run();
+
+  private:
+    void wait_for_input();
+    void handle_input();
+    void handle_key(const InputEvent& event);
+    bool picture_free() const;
+    void follow_pointer();
+    void draw_interface();
+    void update_title();
+    void save_screenshot();
+
+    Window* window_;
+    Screen* screen_;
+    Toasts toasts_;
+    LivePicture live_;
+    Desk desk_;
+    PointerControl pointer_;
+    Dialogs dialogs_;
+    Layout layout_;
+    double x_ = -1, y_ = -1;       // of the pointer, window pixels
+    bool pointer_stale_ = false;   // the surface under the pointer may have changed
+    int frames_due_ = 3;           // drawn before the loop rests: the interface settles over a few frames
+};
+
+}  // namespace relievo::gui

@@ -1,0 +1,108 @@
+// The surface under the pointer, and the brush's circle lying on it.
+#include "editor/gui/brush_cursor.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "editor/gui/theme.h"
+#include "editor/session/view_window.h"
+
+namespace relievo::gui {
+namespace {
+
+constexpr int kRingPoints = 48;
+
+// Where the ball of the brush meets the surface, nearly: each point of a circle in the tangent plane is dropped
+// onto the surface along the normal. Where nothing is near (past a silhouette), it stays in the plane.
+std::vector<glm::vec3> ring_around(Renderer& renderer, const PickHit& centre, float radius) {
+    const glm::vec3 n = centre.normal;
+    const glm::vec3 other = std::abs(n.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 u = glm::normalize(glm::cross(n, other)), v = glm::cross(n, u);
+    std::vector<glm::vec3> points;
+    std::vector<Ray> rays;
+    for (int i = 0; i < kRingPoints; ++i) {
+        const double angle = 2 * 3.14159265358979323846 * i / kRingPoints;
+        points.push_back(centre.position + radius * (u * static_cast<float>(std::cos(angle)) +
+                                                     v * static_cast<float>(std::sin(angle))));
+        rays.push_back({points.back() + n * radius, -n});
+    }
+    const std::vector<PickHit> hits = renderer.pick(rays);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (hits[i].hit && hits[i].distance < 2 * radius) points[i] = hits[i].position;
+    return points;
+}
+
+// The map's value at a point of the base mesh, bilinear between texel centres, in counts.
+double counts_at(const Session& session, const PickHit& hit) {
+    const SceneObject& object = session.scene().objects.front();
+    const HeightMap& map = session.map();
+    const Mesh::Face& face = object.mesh.faces[hit.face];
+    const glm::dvec2 uv = glm::dvec2(object.mesh.uvs[face.uv[0]]) * (1.0 - hit.b1 - hit.b2) +
+                          glm::dvec2(object.mesh.uvs[face.uv[1]]) * static_cast<double>(hit.b1) +
+                          glm::dvec2(object.mesh.uvs[face.uv[2]]) * static_cast<double>(hit.b2);
+    const auto texel = [&](double x, double y) {
+        const auto wrapped = [&](double t, int size) {
+            const double s = size;
+            const double inside = object.displacement.wrap == Wrap::repeat ? t - s * std::floor(t / s)
+                                                                           : std::clamp(t, 0.0, s - 1);
+            return std::clamp(static_cast<int>(inside), 0, size - 1);
+        };
+        return static_cast<double>(map.at(wrapped(x, map.width()), wrapped(y, map.height())));
+    };
+    const double x = uv.x * map.width() - 0.5, y = uv.y * map.height() - 0.5;
+    const double x0 = std::floor(x), y0 = std::floor(y), fx = x - x0, fy = y - y0;
+    return (texel(x0, y0) * (1 - fx) + texel(x0 + 1, y0) * fx) * (1 - fy) +
+           (texel(x0, y0 + 1) * (1 - fx) + texel(x0 + 1, y0 + 1) * fx) * fy;
+}
+
+}  // namespace
+
+void BrushCursor::follow(Session& session, const LivePicture& live, double x, double y) {
+    Renderer& renderer = session.renderer();
+    const Ray ray = renderer.camera_ray(live.to_renderer_x(x), live.to_renderer_y(y));
+    const PickHit hit = renderer.pick(std::span(&ray, 1)).front();
+    centre_.reset();
+    if (!hit.hit || hit.object != 0) return;
+    centre_ = hit;
+    ring_ = ring_around(renderer, hit, session.brush().radius);
+    const Displacement& d = session.scene().objects.front().displacement;
+    spot_.counts = counts_at(session, hit);
+    spot_.height = d.amplitude * (spot_.counts / 65535 - d.midlevel);
+}
+
+void BrushCursor::resize(Session& session) {
+    if (centre_) ring_ = ring_around(session.renderer(), *centre_, session.brush().radius);
+}
+
+std::optional<BrushCursor::Spot> BrushCursor::spot() const {
+    return centre_ ? std::optional(spot_) : std::nullopt;
+}
+
+void BrushCursor::draw(ImDrawList& list, Session& session, PixelSize picture, double x, double y,
+                       bool lit) const {
+    if (!centre_) return;
+    const Scene& scene = session.scene();
+    const auto on_screen = [&](const glm::vec3& point) -> std::optional<ImVec2> {
+        const auto px = project(scene.camera, scene.origin, picture.width, picture.height, point);
+        if (!px) return std::nullopt;
+        return ImVec2(static_cast<float>(px->x + x), static_cast<float>(px->y + y));
+    };
+    std::vector<ImVec2> line;
+    for (const glm::vec3& point : ring_)
+        if (const auto px = on_screen(point)) line.push_back(*px);
+    const int count = static_cast<int>(line.size());
+    list.AddPolyline(line.data(), count, kRingShadow, ImDrawFlags_Closed, 3.5f);
+    list.AddPolyline(line.data(), count, lit ? kAccent : kRing, ImDrawFlags_Closed, 1.6f);
+    if (const auto px = on_screen(centre_->position)) {
+        list.AddCircleFilled(*px, 3.0f, kRingShadow);
+        list.AddCircleFilled(*px, 1.8f, lit ? kAccent : kRing);
+    }
+    // The normal shows how the surface lies where the ring is seen edge on.
+    const auto foot = on_screen(centre_->position);
+    const auto tip = on_screen(centre_->position + centre_->normal * (0.35f * session.brush().radius));
+    if (foot && tip) list.AddLine(*foot, *tip, lit ? kAccent : kRing, 1.2f);
+}
+
+}  // namespace relievo::gui

@@ -1,0 +1,87 @@
+// The commands that panels, keys and dialogs give the session.
+#include "editor/gui/desk.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace relievo::gui {
+namespace {
+
+constexpr float kLeastRadius = 0.002f, kMostRadius = 2.0f;  // of the mesh's
+
+}  // namespace
+
+bool Desk::attempt(const std::function<void()>& command) {
+    if (session.in_stroke()) return false;
+    try {
+        command();
+        return true;
+    } catch (const std::exception& trouble) {
+        toasts.error(trouble.what());
+        return false;
+    }
+}
+
+void Desk::set(const std::string& key, const SetValue& value) {
+    if (attempt([&] { session.set(key, value); })) live.in_motion();
+}
+
+void Desk::set_camera(const Camera& camera) {
+    if (attempt([&] { session.set_camera(camera); })) live.in_motion();
+}
+
+void Desk::undo() {
+    attempt([&] {
+        if (session.undo()) {
+            live.restart();
+        } else {
+            toasts.info("Nothing to undo");
+        }
+    });
+}
+
+void Desk::redo() {
+    attempt([&] {
+        if (session.redo()) {
+            live.restart();
+        } else {
+            toasts.info("Nothing to redo");
+        }
+    });
+}
+
+void Desk::save() {
+    if (const auto path = session.map_path()) {
+        save_to(*path);
+    } else {
+        view.wanted = Dialog::save_as;
+    }
+}
+
+bool Desk::save_to(const std::filesystem::path& path) {
+    const bool saved = attempt([&] { session.save(path); });
+    if (saved) toasts.info("Saved " + path.string());
+    return saved;
+}
+
+void Desk::leave(const Departure& wanted) {
+    if (session.in_stroke()) return;
+    if (!session.unsaved()) {
+        departure = wanted;
+        return;
+    }
+    pending = wanted;
+    view.wanted = Dialog::unsaved;
+}
+
+void Desk::scale_radius(double factor) {
+    float& radius = session.brush().radius;
+    radius = std::clamp(radius * static_cast<float>(factor), kLeastRadius * mesh_radius(),
+                        kMostRadius * mesh_radius());
+}
+
+void Desk::choose_tool(std::size_t index) {
+    if (index < tools().size()) session.brush().tool = tools()[index].tool;
+}
+
+}  // namespace relievo::gui

@@ -1,0 +1,72 @@
+// What panels, keys and dialogs share: the session, and the commands that they give it. Every change goes through
+// the session, which journals it; what it refuses becomes a message on screen.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "editor/gui/brush_cursor.h"
+#include "editor/gui/live_picture.h"
+#include "editor/gui/toasts.h"
+#include "editor/session/recovery.h"
+#include "editor/session/session.h"
+
+namespace relievo::gui {
+
+// Where the program goes when it leaves the open scene.
+struct Departure {
+    enum class Kind { quit, open, restore } kind = Kind::quit;
+    std::filesystem::path scene;                // open
+    std::optional<AbandonedJournal> abandoned;  // restore
+};
+
+// A dialog that the next frame opens.
+enum class Dialog { none, keys, open_scene, save_as, unsaved, recovery };
+
+// A brush setting that follows the pointer until a click.
+enum class BrushDrag { none, radius, strength };
+
+// What is shown, and no more than that: none of it is journaled.
+struct ViewState {
+    bool interface_hidden = false;
+    float side_width = 0;  // pixels; 0 until the first layout
+    Dialog wanted = Dialog::none;
+    BrushDrag brush_drag = BrushDrag::none;
+    bool screenshot_wanted = false;
+    int mods = 0;  // GLFW_MOD_* held
+};
+
+class Desk {
+  public:
+    Desk(Session& open_session, LivePicture& live_picture, Toasts& messages)
+        : session(open_session), live(live_picture), toasts(messages) {}
+
+    Session& session;
+    LivePicture& live;
+    Toasts& toasts;
+    BrushCursor cursor;
+    ViewState view;
+    std::vector<AbandonedJournal> abandoned;  // offered for recovery
+    std::optional<Departure> pending;         // waits for the answer about unsaved work
+    std::optional<Departure> departure;       // decided
+
+    void set(const std::string& key, const SetValue& value);  // settings.h
+    void set_camera(const Camera& camera);
+    void undo();
+    void redo();
+    void save();  // asks for a path where there is none yet
+    bool save_to(const std::filesystem::path& path);
+    void leave(const Departure& departure);  // asks first when work is unsaved
+    void scale_radius(double factor);
+    void choose_tool(std::size_t index);  // into tools(); beyond them, nothing happens
+
+    // The edited mesh's bounding-sphere radius: what brush sizes are measured by.
+    float mesh_radius() const { return session.scene().objects.front().mesh.sphere_radius; }
+
+    // Runs a command; what it throws is shown. False when it threw, or when a stroke is under way.
+    bool attempt(const std::function<void()>& command);
+};
+
+}  // namespace relievo::gui

@@ -1,0 +1,171 @@
+// The dialogs over the picture.
+#include "editor/gui/dialogs.h"
+
+#include <imgui.h>
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "editor/gui/keys.h"
+#include "editor/gui/theme.h"
+
+namespace relievo::gui {
+namespace {
+
+constexpr const char* kKeysTitle = "Keys and mouse";
+constexpr const char* kUnsavedTitle = "Unsaved work";
+constexpr const char* kRecoveryTitle = "Recover unsaved work";
+
+bool begin_dialog(const char* title, float width) {
+    ImGui::SetNextWindowSize(ImVec2(points(width), 0));
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    return ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+bool escape_pressed() {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+}
+
+bool dialog_button(const char* label, bool suggested = false) {
+    if (suggested) ImGui::PushStyleColor(ImGuiCol_Button, kAccentDim);
+    const bool pushed = ImGui::Button(label, ImVec2(points(120), 0));
+    if (suggested) ImGui::PopStyleColor();
+    return pushed;
+}
+
+void draw_keys() {
+    if (!begin_dialog(kKeysTitle, 560)) return;
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingStretchProp)) {
+        for (const KeyHelp& key : key_help()) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            const bool heading = key.meaning.empty();
+            if (heading) ImGui::PushFont(strong_font());
+            ImGui::TextUnformatted(key.keys.data(), key.keys.data() + key.keys.size());
+            if (heading) ImGui::PopFont();
+            ImGui::TableNextColumn();
+            ImGui::PushStyleColor(ImGuiCol_Text, kTextDim);
+            ImGui::TextUnformatted(key.meaning.data(), key.meaning.data() + key.meaning.size());
+            ImGui::PopStyleColor();
+        }
+        ImGui::EndTable();
+    }
+    if (dialog_button("Close", true) || escape_pressed()) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+void depart(Desk& desk) {
+    desk.departure = std::exchange(desk.pending, std::nullopt);
+    ImGui::CloseCurrentPopup();
+}
+
+void draw_unsaved(Desk& desk) {
+    if (!begin_dialog(kUnsavedTitle, 460)) return;
+    const auto path = desk.session.map_path();
+    ImGui::TextWrapped("%s has strokes that are not saved.",
+                       path ? path->filename().string().c_str() : "The new map");
+    ImGui::Spacing();
+    if (dialog_button("Save", true)) {
+        if (!path) {
+            desk.view.wanted = Dialog::save_as;  // goes on from there
+            ImGui::CloseCurrentPopup();
+        } else if (desk.save_to(*path)) {
+            depart(desk);
+        }
+    }
+    ImGui::SameLine();
+    if (dialog_button("Don't save")) {
+        desk.session.discard_recovery();
+        depart(desk);
+    }
+    ImGui::SameLine();
+    if (dialog_button("Cancel") || escape_pressed()) {
+        desk.pending.reset();
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+std::string age(std::filesystem::file_time_type when) {
+    const auto minutes = std::chrono::duration_cast<std::chrono::minutes>(
+                             std::filesystem::file_time_type::clock::now() - when)
+                             .count();
+    if (minutes < 1) return "just now";
+    if (minutes < 120) return std::to_string(minutes) + " minutes ago";
+    if (minutes < 48 * 60) return std::to_string(minutes / 60) + " hours ago";
+    return std::to_string(minutes / (24 * 60)) + " days ago";
+}
+
+void draw_recovery(Desk& desk) {
+    if (!begin_dialog(kRecoveryTitle, 560)) return;
+    ImGui::TextWrapped("Relievo ended without saving. Its journals hold the strokes; restoring replays them.");
+    ImGui::Spacing();
+    std::optional<std::size_t> gone;
+    for (std::size_t i = 0; i < desk.abandoned.size(); ++i) {
+        const AbandonedJournal& journal = desk.abandoned[i];
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::PushFont(strong_font());
+        ImGui::TextUnformatted(journal.scene.filename().string().c_str());
+        ImGui::PopFont();
+        ImGui::SameLine();
+        ImGui::TextDisabled("%zu unsaved edits, %s", journal.edits, age(journal.when).c_str());
+        if (dialog_button("Restore", true)) {
+            desk.leave({Departure::Kind::restore, {}, journal});
+            ImGui::CloseCurrentPopup();
+        }
+        ImGui::SameLine();
+        if (dialog_button("Throw away")) gone = i;
+        ImGui::PopID();
+        ImGui::Spacing();
+    }
+    if (gone) {
+        remove_recovery(desk.abandoned[*gone].journal);
+        desk.abandoned.erase(desk.abandoned.begin() + static_cast<std::ptrdiff_t>(*gone));
+    }
+    if (dialog_button("Later") || escape_pressed() || desk.abandoned.empty()) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace
+
+FileDialog::Purpose scene_purpose() {
+    return {"Open a scene", "Open", {".json"}, false};
+}
+
+void Dialogs::open(Desk& desk, Dialog dialog) {
+    switch (dialog) {
+        case Dialog::none: return;
+        case Dialog::keys: return ImGui::OpenPopup(kKeysTitle);
+        case Dialog::unsaved: return ImGui::OpenPopup(kUnsavedTitle);
+        case Dialog::recovery: return ImGui::OpenPopup(kRecoveryTitle);
+        case Dialog::open_scene: files_.open(scene_purpose(), desk.session.scene().path); break;
+        case Dialog::save_as: {
+            const std::filesystem::path scene = desk.session.scene().path;
+            const auto fresh = scene.parent_path() / (scene.stem().string() + ".tif");
+            files_.open({"Save the map", "Save", {".png", ".tif", ".tiff", ".exr"}, true},
+                        desk.session.map_path().value_or(fresh));
+            break;
+        }
+    }
+    file_purpose_ = dialog;
+}
+
+void Dialogs::draw_files(Desk& desk) {
+    const bool was_open = files_.is_open();
+    const auto path = files_.draw();
+    if (path && file_purpose_ == Dialog::open_scene) desk.leave({Departure::Kind::open, *path, {}});
+    if (file_purpose_ != Dialog::save_as || !was_open || files_.is_open()) return;
+    const auto waiting = std::exchange(desk.pending, std::nullopt);  // a save on the way out
+    if (path && desk.save_to(*path)) desk.departure = waiting;
+}
+
+void Dialogs::draw(Desk& desk) {
+    if (!desk.session.in_stroke()) open(desk, std::exchange(desk.view.wanted, Dialog::none));
+    draw_files(desk);
+    draw_keys();
+    draw_unsaved(desk);
+    draw_recovery(desk);
+}
+
+}  // namespace relievo::gui

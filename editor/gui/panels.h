@@ -1,0 +1,32 @@
+// The panels around the picture, each in its own file. They read the session, change what is only view state, and
+// give every other change to the desk.
+#pragma once
+
+#include "editor/gui/desk.h"
+#include "editor/gui/layout.h"
+
+namespace relievo::gui {
+
+void draw_tool_column(Desk& desk, const Box& box);
+void draw_top_bar(Desk& desk, const Box& box);
+void draw_side_panel(Desk& desk, const Box& box);
+void draw_status_bar(Desk& desk, const Box& box);
+
+// Sections of the side panel.
+void draw_brush_section(Desk& desk);
+void draw_map_section(Desk& desk);
+void draw_method_section(Desk& desk);
+void draw_lights_section(Desk& desk);
+void draw_render_section(Desk& desk);
+
+// Begins the fixed window of a panel; pair with ImGui::End().
+void begin_panel(const char* name, const Box& box, float pad_x, float pad_y);
+
+// Combos that the top bar and the side panel share; the width is the item width set before.
+void falloff_combo(Desk& desk);
+void method_combo(Desk& desk);
+
+// How a brush setting is shown: its slider's range and tooltip from the table of brushes/brush.h.
+void brush_slider(Desk& desk, std::string_view name, std::string_view label);
+
+}  // namespace relievo::gui

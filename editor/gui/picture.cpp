@@ -1,0 +1,89 @@
+// The ray-traced picture as the window shows it.
+#include "editor/gui/picture.h"
+
+namespace relievo::gui {
+namespace {
+
+constexpr VkImageSubresourceLayers kColor{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+constexpr VkClearColorValue kEmpty{{0.09f, 0.095f, 0.105f, 1}};
+
+VkImageBlit whole_to_whole(PixelSize from, PixelSize to) {
+    VkImageBlit blit{};
+    blit.srcSubresource = blit.dstSubresource = kColor;
+    blit.srcOffsets[1] = {from.width, from.height, 1};
+    blit.dstOffsets[1] = {to.width, to.height, 1};
+    return blit;
+}
+
+// The renderer's image is a bare handle; its layout between calls is GENERAL.
+void record_layout(VkCommandBuffer cmd, VkImage image, VkImageLayout from, VkImageLayout to) {
+    VkImageMemoryBarrier barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+    barrier.srcAccessMask = barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
+    barrier.oldLayout = from;
+    barrier.newLayout = to;
+    barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = image;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    vkCmdPipelineBarrier(cmd, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
+                         nullptr, 0, nullptr, 1, &barrier);
+}
+
+constexpr VkImageLayout kSource = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+constexpr VkImageLayout kTarget = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+
+}  // namespace
+
+Picture::Picture(vulkan::Context& context) : context_(&context), commands_(context) {
+    resize({1, 1});
+}
+
+void Picture::resize(PixelSize size) {
+    if (size == this->size()) return;
+    vulkan::Image old = std::move(image_);
+    image_ = vulkan::Image(*context_, size.width, size.height, VK_FORMAT_R8G8B8A8_UNORM,
+                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    commands_.run([&](VkCommandBuffer cmd) {
+        image_.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, kTarget);
+        if (old.width() > 1) {
+            const VkImageBlit blit = whole_to_whole({old.width(), old.height()}, size);
+            vkCmdBlitImage(cmd, old.get(), kSource, image_.get(), kTarget, 1, &blit, VK_FILTER_LINEAR);
+        } else {
+            const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+            vkCmdClearColorImage(cmd, image_.get(), kTarget, &kEmpty, 1, &all);
+        }
+        image_.transition(cmd, kTarget, kSource);
+    });
+}
+
+void Picture::copy(const Renderer& renderer, const PixelRect& window) {
+    const Renderer::DisplayImage from = renderer.display_image();
+    const auto source = static_cast<VkImage>(from.image);
+    commands_.run([&](VkCommandBuffer cmd) {
+        record_layout(cmd, source, VK_IMAGE_LAYOUT_GENERAL, kSource);
+        image_.transition(cmd, kSource, kTarget);
+        if (size() == PixelSize{from.width, from.height}) {
+            VkImageCopy copy{};
+            copy.srcSubresource = copy.dstSubresource = kColor;
+            copy.srcOffset = copy.dstOffset = {window.x0, window.y0, 0};
+            copy.extent = {static_cast<std::uint32_t>(window.x1 - window.x0),
+                           static_cast<std::uint32_t>(window.y1 - window.y0), 1};
+            vkCmdCopyImage(cmd, source, kSource, image_.get(), kTarget, 1, &copy);
+        } else {
+            const VkImageBlit blit = whole_to_whole({from.width, from.height}, size());
+            vkCmdBlitImage(cmd, source, kSource, image_.get(), kTarget, 1, &blit, VK_FILTER_LINEAR);
+        }
+        image_.transition(cmd, kTarget, kSource);
+        record_layout(cmd, source, kSource, VK_IMAGE_LAYOUT_GENERAL);
+    });
+}
+
+void Picture::record_copy(VkCommandBuffer cmd, VkImage to, int x, int y) const {
+    VkImageBlit blit = whole_to_whole(size(), size());
+    blit.dstOffsets[0] = {x, y, 0};
+    blit.dstOffsets[1] = {x + image_.width(), y + image_.height(), 1};
+    // A blit and not a copy: the canvas may hold its channels in another order.
+    vkCmdBlitImage(cmd, image_.get(), kSource, to, kTarget, 1, &blit, VK_FILTER_NEAREST);
+}
+
+}  // namespace relievo::gui

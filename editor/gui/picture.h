@@ -1,0 +1,30 @@
+// The ray-traced picture as the window shows it: a copy of the renderer's image, taken when and where it is fit to
+// be seen, so that the renderer may change its size or start anew meanwhile.
+#pragma once
+
+#include "editor/gui/window.h"
+#include "renderer/renderer.h"
+#include "renderer/vulkan/commands.h"
+#include "renderer/vulkan/resources.h"
+
+namespace relievo::gui {
+
+class Picture {
+  public:
+    explicit Picture(vulkan::Context& context);
+
+    PixelSize size() const { return {image_.width(), image_.height()}; }
+    // What was shown is stretched to the new size until something new is copied.
+    void resize(PixelSize size);
+    // Takes a window of the renderer's image; where the sizes differ, the whole image is stretched.
+    void copy(const Renderer& renderer, const PixelRect& window);
+    // Records the copy to an image in layout TRANSFER_DST_OPTIMAL, with the top left corner at (x, y).
+    void record_copy(VkCommandBuffer commands, VkImage to, int x, int y) const;
+
+  private:
+    vulkan::Context* context_;
+    vulkan::Commands commands_;
+    vulkan::Image image_;  // in layout TRANSFER_SRC_OPTIMAL between calls
+};
+
+}  // namespace relievo::gui

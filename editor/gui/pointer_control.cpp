@@ -1,0 +1,118 @@
+// What the pointer does over the picture.
+#include "editor/gui/pointer_control.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "editor/gui/camera_control.h"
+
+namespace relievo::gui {
+namespace {
+
+constexpr double kZoomPerHeight = 12;      // notches for a drag over the picture's height
+constexpr double kRadiusPerHeight = 4;     // powers of e
+constexpr double kStrengthPerHeight = 1.5;
+
+}  // namespace
+
+void PointerControl::on_event(const InputEvent& event, const Box& picture, bool picture_free) {
+    InputEvent local = event;
+    local.x -= picture.x;
+    local.y -= picture.y;
+    picture_height_ = std::max(1, picture.height);
+    const bool over = picture_free && picture.holds(event.x, event.y);
+    switch (event.kind) {
+        case InputEvent::Kind::press:
+            if (over && !dragging()) on_press(local);
+            break;
+        case InputEvent::Kind::move: on_move(local); break;
+        case InputEvent::Kind::release: on_release(local); break;
+        case InputEvent::Kind::scroll:
+            if (over && !stroke_.active()) moving_camera() = zoomed(moving_camera(), event.scroll);
+            break;
+        case InputEvent::Kind::key: break;
+    }
+    last_x_ = local.x;
+    last_y_ = local.y;
+}
+
+void PointerControl::on_press(const InputEvent& local) {
+    if (desk_->view.brush_drag != BrushDrag::none) {
+        desk_->view.brush_drag = BrushDrag::none;
+        brush_before_.reset();
+        return;
+    }
+    const bool alt = local.mods & GLFW_MOD_ALT;
+    drag_button_ = local.code;
+    if (local.code == GLFW_MOUSE_BUTTON_MIDDLE) {
+        const bool shift = local.mods & GLFW_MOD_SHIFT, control = local.mods & GLFW_MOD_CONTROL;
+        drag_ = alt || shift ? CameraDrag::pan : control ? CameraDrag::zoom : CameraDrag::orbit;
+    } else if (local.code == GLFW_MOUSE_BUTTON_RIGHT && alt) {
+        drag_ = CameraDrag::zoom;
+    } else if (local.code == GLFW_MOUSE_BUTTON_LEFT && alt) {
+        drag_ = CameraDrag::orbit;
+    } else if (local.code == GLFW_MOUSE_BUTTON_LEFT) {
+        apply_camera();
+        desk_->attempt([&] { stroke_.begin(local); });
+    }
+}
+
+void PointerControl::on_move(const InputEvent& local) {
+    const double dx = local.x - last_x_, dy = local.y - last_y_;
+    if (stroke_.active()) {
+        stroke_.move(local);
+    } else if (drag_ != CameraDrag::none) {
+        drag_camera(dx, dy);
+    } else if (desk_->view.brush_drag != BrushDrag::none) {
+        drag_brush(dx);
+    }
+}
+
+void PointerControl::on_release(const InputEvent& local) {
+    if (stroke_.active() && local.code == GLFW_MOUSE_BUTTON_LEFT) stroke_.end(local);
+    if (drag_ != CameraDrag::none && local.code == drag_button_) drag_ = CameraDrag::none;
+}
+
+void PointerControl::drag_camera(double dx, double dy) {
+    Camera& camera = moving_camera();
+    switch (drag_) {
+        case CameraDrag::orbit: camera = orbited(camera, dx, dy, picture_height_); break;
+        case CameraDrag::pan: camera = panned(camera, dx, dy, picture_height_); break;
+        case CameraDrag::zoom: camera = zoomed(camera, (dx - dy) / picture_height_ * kZoomPerHeight); break;
+        case CameraDrag::none: break;
+    }
+}
+
+void PointerControl::drag_brush(double dx) {
+    Brush& brush = desk_->session.brush();
+    if (!brush_before_) brush_before_ = brush;
+    const double share = dx / picture_height_;
+    if (desk_->view.brush_drag == BrushDrag::radius) {
+        desk_->scale_radius(std::exp(share * kRadiusPerHeight));
+    } else {
+        const double strength = static_cast<double>(brush.strength) + share * kStrengthPerHeight;
+        brush.strength = static_cast<float>(std::clamp(strength, 0.0, 1.0));
+    }
+}
+
+void PointerControl::cancel() {
+    stroke_.cancel();
+    if (desk_->view.brush_drag == BrushDrag::none) return;
+    if (brush_before_) desk_->session.brush() = *brush_before_;
+    brush_before_.reset();
+    desk_->view.brush_drag = BrushDrag::none;
+}
+
+Camera& PointerControl::moving_camera() {
+    if (!camera_) camera_ = desk_->session.scene().camera;
+    return *camera_;
+}
+
+void PointerControl::apply_camera() {
+    if (camera_) desk_->set_camera(*std::exchange(camera_, std::nullopt));
+}
+
+}  // namespace relievo::gui

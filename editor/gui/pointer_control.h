@@ -1,0 +1,43 @@
+// What the pointer does over the picture: strokes, camera drags, brush drags. It decides at the press, and keeps to
+// it until the release.
+#pragma once
+
+#include "editor/gui/desk.h"
+#include "editor/gui/layout.h"
+#include "editor/gui/stroke_control.h"
+
+namespace relievo::gui {
+
+class PointerControl {
+  public:
+    explicit PointerControl(Desk& desk) : desk_(&desk), stroke_(desk.session, desk.live) {}
+
+    // Events in their order, positions on the window. `picture_free`: no dialog or menu lies over the picture.
+    void on_event(const InputEvent& event, const Box& picture, bool picture_free);
+    void cancel();  // Esc: the stroke, or the brush drag
+
+    bool in_stroke() const { return stroke_.active(); }
+    bool dragging() const { return stroke_.active() || drag_ != CameraDrag::none; }
+    // The camera's movements since the last call, as one command.
+    void apply_camera();
+
+  private:
+    enum class CameraDrag { none, orbit, pan, zoom };
+    void on_press(const InputEvent& local);
+    void on_move(const InputEvent& local);
+    void on_release(const InputEvent& local);
+    void drag_camera(double dx, double dy);
+    void drag_brush(double dx);
+    Camera& moving_camera();
+
+    Desk* desk_;
+    StrokeControl stroke_;
+    CameraDrag drag_ = CameraDrag::none;
+    int drag_button_ = 0;
+    std::optional<Camera> camera_;         // moved, not yet given to the session
+    std::optional<Brush> brush_before_;    // of a brush drag
+    double last_x_ = 0, last_y_ = 0;
+    int picture_height_ = 1;
+};
+
+}  // namespace relievo::gui

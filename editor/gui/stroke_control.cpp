@@ -1,0 +1,56 @@
+// From pointer events on the picture to a stroke of the session.
+#include "editor/gui/stroke_control.h"
+
+#include <GLFW/glfw3.h>
+
+namespace relievo::gui {
+
+PointerEvent StrokeControl::pointer(const InputEvent& event) const {
+    return {event.time_us, live_->to_renderer_x(event.x), live_->to_renderer_y(event.y), 1};
+}
+
+void StrokeControl::begin(const InputEvent& event) {
+    const Brush chosen = session_->brush();
+    Brush brush = chosen;
+    if (event.mods & GLFW_MOD_SHIFT) brush.tool = Tool::smooth;
+    if (event.mods & GLFW_MOD_CONTROL) brush.invert = !brush.invert;
+    check_brush(brush);
+    live_->begin_stroke();
+    session_->brush() = brush;
+    session_->begin_stroke();
+    session_->brush() = chosen;
+    Session& session = *session_;
+    LivePicture& live = *live_;
+    input_.emplace(
+        brush, [&session](std::span<const Ray> rays) { return session.renderer().pick(rays); },
+        [&session](double x, double y) { return session.renderer().camera_ray(x, y); },
+        [&session, &live](const Dab& dab) {
+            session.dab(dab);
+            live.after_dab();
+        });
+    input_->begin(pointer(event));
+}
+
+void StrokeControl::move(const InputEvent& event) {
+    if (input_) input_->move(pointer(event));
+}
+
+void StrokeControl::end(const InputEvent& event) {
+    if (!input_) return;
+    input_->end(pointer(event));
+    input_.reset();
+    const bool changed = session_->last_dab().has_value();
+    session_->end_stroke();
+    live_->end_stroke(changed);
+}
+
+void StrokeControl::cancel() {
+    if (!input_) return;
+    input_.reset();
+    const bool changed = session_->last_dab().has_value();
+    session_->cancel_stroke();
+    live_->end_stroke(changed);
+    if (changed) live_->restart();
+}
+
+}  // namespace relievo::gui

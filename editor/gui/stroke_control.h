@@ -1,0 +1,33 @@
+// From pointer events on the picture to a stroke of the session.
+#pragma once
+
+#include <optional>
+
+#include "editor/gui/live_picture.h"
+#include "editor/gui/window.h"
+#include "editor/session/stroke_input.h"
+
+namespace relievo::gui {
+
+class StrokeControl {
+  public:
+    StrokeControl(Session& session, LivePicture& live) : session_(&session), live_(&live) {}
+
+    bool active() const { return input_.has_value(); }
+
+    // Positions are in pixels of the picture on screen. With Ctrl, draw lowers instead of raising; with Shift,
+    // the stroke smooths. Throws std::invalid_argument when a brush setting is out of its range.
+    void begin(const InputEvent& event);
+    void move(const InputEvent& event);
+    void end(const InputEvent& event);
+    void cancel();
+
+  private:
+    PointerEvent pointer(const InputEvent& event) const;
+
+    Session* session_;
+    LivePicture* live_;
+    std::optional<StrokeInput> input_;
+};
+
+}  // namespace relievo::gui

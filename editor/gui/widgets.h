@@ -1,0 +1,35 @@
+// Rows of a panel: a label, a control, and a tooltip that says what it means.
+#pragma once
+
+#include <string_view>
+
+struct ImVec2;
+
+namespace relievo::gui {
+
+struct Range {
+    float low, high;
+    bool logarithmic = false;
+    const char* format = "%.3f";
+};
+
+// Each returns true when the user changed the value. `unit` and `tooltip` may be empty.
+bool slider_row(std::string_view label, float& value, const Range& range, std::string_view tooltip,
+                std::string_view unit = {});
+bool switch_row(std::string_view label, bool& value, std::string_view tooltip);
+bool color_row(std::string_view label, float (&rgb)[3], std::string_view tooltip);  // linear
+void text_row(std::string_view label, std::string_view value);
+
+// A heading that folds what follows; returns whether it is open.
+bool section(const char* title);
+
+// A button that may be greyed out or lit as chosen.
+bool push_button(const char* label, bool enabled, std::string_view tooltip);
+
+// Over the last item.
+void tooltip(std::string_view text, std::string_view title = {});
+
+// Puts the cursor where a control of the row begins, after drawing its label.
+void row_label(std::string_view label);
+
+}  // namespace relievo::gui

@@ -1,0 +1,159 @@
+// The GLFW window and its input. Dear ImGui gets the same callbacks, after ours.
+#include "editor/gui/window.h"
+
+#define GLFW_INCLUDE_VULKAN
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace relievo::gui {
+namespace {
+
+constexpr int kLeastWidth = 640, kLeastHeight = 400;
+
+std::uint64_t now_us() {
+    const auto since = std::chrono::steady_clock::now().time_since_epoch();
+    return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(since).count());
+}
+
+std::string last_glfw_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "no reason given";
+}
+
+Window& window_of(GLFWwindow* handle) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+}
+
+bool ui_listens() {
+    return ImGui::GetCurrentContext() != nullptr;
+}
+
+}  // namespace
+
+struct WindowCallbacks {
+    static void cursor(GLFWwindow* handle, double x, double y) {
+        Window& window = window_of(handle);
+        window.x_ = x;
+        window.y_ = y;
+        window.add({InputEvent::Kind::move});
+    }
+    static void button(GLFWwindow* handle, int button, int action, int mods) {
+        const auto kind = action == GLFW_PRESS ? InputEvent::Kind::press : InputEvent::Kind::release;
+        window_of(handle).add({kind, 0, 0, 0, button, mods});
+        if (ui_listens()) ImGui_ImplGlfw_MouseButtonCallback(handle, button, action, mods);
+    }
+    static void scroll(GLFWwindow* handle, double x, double y) {
+        window_of(handle).add({InputEvent::Kind::scroll, 0, 0, 0, 0, 0, y});
+        if (ui_listens()) ImGui_ImplGlfw_ScrollCallback(handle, x, y);
+    }
+    static void key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
+        if (action != GLFW_RELEASE) window_of(handle).add({InputEvent::Kind::key, 0, 0, 0, key, mods});
+        if (ui_listens()) ImGui_ImplGlfw_KeyCallback(handle, key, scancode, action, mods);
+    }
+    static void character(GLFWwindow* handle, unsigned int code) {
+        if (ui_listens()) ImGui_ImplGlfw_CharCallback(handle, code);
+    }
+    static void focus(GLFWwindow* handle, int focused) {
+        if (ui_listens()) ImGui_ImplGlfw_WindowFocusCallback(handle, focused);
+    }
+    static void enter(GLFWwindow* handle, int entered) {
+        if (ui_listens()) ImGui_ImplGlfw_CursorEnterCallback(handle, entered);
+    }
+    static void set_all(GLFWwindow* handle) {
+        glfwSetCursorPosCallback(handle, cursor);
+        glfwSetMouseButtonCallback(handle, button);
+        glfwSetScrollCallback(handle, scroll);
+        glfwSetKeyCallback(handle, key);
+        glfwSetCharCallback(handle, character);
+        glfwSetWindowFocusCallback(handle, focus);
+        glfwSetCursorEnterCallback(handle, enter);
+    }
+};
+
+Window::Window(PixelSize size) : start_us_(now_us()) {
+    if (!glfwInit())
+        throw std::runtime_error("cannot open a window: " + last_glfw_error() +
+                                 "; relievo render and relievo replay work without a display");
+    if (!glfwVulkanSupported()) {
+        glfwTerminate();
+        throw std::runtime_error(
+            "cannot open a window: no Vulkan driver shows pictures on this display; install the package "
+            "mesa-vulkan-drivers");
+    }
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    handle_ = glfwCreateWindow(size.width, size.height, "Relievo", nullptr, nullptr);
+    if (!handle_) {
+        const std::string reason = last_glfw_error();
+        glfwTerminate();
+        throw std::runtime_error("cannot open a window: " + reason);
+    }
+    glfwSetWindowSizeLimits(handle_, kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowUserPointer(handle_, this);
+    glfwGetCursorPos(handle_, &x_, &y_);
+    WindowCallbacks::set_all(handle_);
+}
+
+Window::~Window() {
+    glfwDestroyWindow(handle_);
+    glfwTerminate();
+}
+
+VkSurfaceKHR Window::make_surface(VkInstance instance) const {
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    if (glfwCreateWindowSurface(instance, handle_, nullptr, &surface) != VK_SUCCESS)
+        throw std::runtime_error("cannot show pictures in the window: " + last_glfw_error());
+    return surface;
+}
+
+PixelSize Window::framebuffer() const {
+    PixelSize size;
+    glfwGetFramebufferSize(handle_, &size.width, &size.height);
+    return size;
+}
+
+double Window::content_scale() const {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(handle_, &x, &y);
+    return std::clamp(static_cast<double>(std::max(x, y)), 1.0, 4.0);
+}
+
+void Window::set_title(const std::string& title) {
+    if (title == title_) return;
+    glfwSetWindowTitle(handle_, title.c_str());
+    title_ = title;
+}
+
+void Window::poll() {
+    glfwPollEvents();
+}
+
+void Window::wait(double seconds) {
+    glfwWaitEventsTimeout(seconds);
+}
+
+bool Window::close_wanted() const {
+    return glfwWindowShouldClose(handle_) == GLFW_TRUE;
+}
+
+void Window::refuse_close() {
+    glfwSetWindowShouldClose(handle_, GLFW_FALSE);
+}
+
+void Window::add(InputEvent event) {
+    int units = 1, ignored = 1;
+    glfwGetWindowSize(handle_, &units, &ignored);
+    if (const PixelSize size = framebuffer(); size.width > 0 && units > 0)
+        pixels_per_unit_ = static_cast<double>(size.width) / units;
+    event.time_us = now_us() - start_us_;
+    event.x = x_ * pixels_per_unit_;
+    event.y = y_ * pixels_per_unit_;
+    events_.push_back(event);
+}
+
+}  // namespace relievo::gui

@@ -1,0 +1,63 @@
+// The GLFW window and its input: every event is stamped when it arrives and kept in order, so that strokes do
+// not depend on the frame rate.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+struct GLFWwindow;
+
+namespace relievo::gui {
+
+struct InputEvent {
+    enum class Kind { move, press, release, scroll, key } kind;
+    std::uint64_t time_us = 0;  // since the window opened
+    double x = 0, y = 0;        // of the pointer, framebuffer pixels from the top left
+    int code = 0;               // press and release: GLFW mouse button; key: GLFW key
+    int mods = 0;               // GLFW_MOD_*
+    double scroll = 0;          // notches, up positive
+};
+
+struct PixelSize {
+    int width = 0, height = 0;
+    bool operator==(const PixelSize&) const = default;
+};
+
+class Window {
+  public:
+    // Throws std::runtime_error in one sentence when there is no display.
+    explicit Window(PixelSize size);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    GLFWwindow* handle() const { return handle_; }
+    VkSurfaceKHR make_surface(VkInstance instance) const;
+
+    PixelSize framebuffer() const;  // 0 x 0 while minimised
+    double content_scale() const;   // 1 on ordinary displays, 2 on dense ones
+    void set_title(const std::string& title);
+
+    void poll();
+    void wait(double seconds);  // until an event comes, at most so long
+    std::deque<InputEvent>& events() { return events_; }
+
+    bool close_wanted() const;
+    void refuse_close();
+
+  private:
+    friend struct WindowCallbacks;
+    void add(InputEvent event);
+
+    GLFWwindow* handle_ = nullptr;
+    std::deque<InputEvent> events_;
+    std::uint64_t start_us_ = 0;
+    double x_ = 0, y_ = 0;  // window coordinates
+    double pixels_per_unit_ = 1;
+    std::string title_;
+};
+
+}  // namespace relievo::gui
