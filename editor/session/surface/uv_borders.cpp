@@ -3,44 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <tuple>
+#include <utility>
+
+#include "renderer/scene/mesh_topology.h"
 
 namespace relievo {
 namespace {
 
-struct HalfEdge {
-    std::uint32_t low, high;  // positions
-    std::uint32_t face, corner;
-
-    auto key() const { return std::tie(low, high); }
-};
-
-std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh) {
-    std::vector<HalfEdge> edges;
-    edges.reserve(mesh.faces.size() * 3);
-    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-        const auto& p = mesh.faces[face].position;
-        // A face that folds onto one of its edges would make its neighbours' common edge look like one of
-        // four faces.
-        if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            const std::uint32_t a = p[i], b = p[(i + 1) % 3];
-            edges.push_back({std::min(a, b), std::max(a, b), face, i});
-        }
-    }
-    std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return std::tie(a.low, a.high, a.face, a.corner) < std::tie(b.low, b.high, b.face, b.corner);
-    });
-    return edges;
+// A face that folds onto one of its edges would make its neighbours' common edge look like one of four faces.
+bool folded(const Mesh::Face& face) {
+    const auto& p = face.position;
+    return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
 }
 
-UvSide side(const Mesh& mesh, const MapGrid& grid, const HalfEdge& edge) {
-    const Mesh::Face& face = mesh.faces[edge.face];
-    const std::uint32_t i = edge.corner;
-    UvSide s{edge.face, grid.texel_from_uv(mesh.uvs[face.uv[i]]),
+UvSide side(const Mesh& mesh, const MapGrid& grid, const MeshEdge& edge, EdgeSide at) {
+    const Mesh::Face& face = mesh.faces[at.face];
+    const std::uint32_t i = at.corner;
+    UvSide s{at.face, grid.texel_from_uv(mesh.uvs[face.uv[i]]),
              grid.texel_from_uv(mesh.uvs[face.uv[(i + 1) % 3]]),
              grid.texel_from_uv(mesh.uvs[face.uv[(i + 2) % 3]])};
-    if (face.position[i] != edge.low) std::swap(s.from, s.to);
+    if (face.position[i] != edge.p0) std::swap(s.from, s.to);
     return s;
 }
 
@@ -127,17 +109,18 @@ TexelIsometry across(const UvSeam& seam) {
 
 UvBorders find_uv_borders(const Mesh& mesh, const MapGrid& grid) {
     UvBorders borders;
-    const std::vector<HalfEdge> edges = sorted_half_edges(mesh);
-    for (std::size_t first = 0, last; first < edges.size(); first = last) {
-        for (last = first + 1; last < edges.size() && edges[last].key() == edges[first].key();) ++last;
-        if (last - first != 2) {
-            for (std::size_t i = first; i < last; ++i) borders.open.push_back(side(mesh, grid, edges[i]));
+    const MeshTopology topology = find_edges(mesh);
+    std::vector<UvSide> sides;
+    for (const MeshEdge& edge : topology.edges) {
+        sides.clear();
+        for (const EdgeSide at : topology.sides_of(edge)) {
+            if (!folded(mesh.faces[at.face])) sides.push_back(side(mesh, grid, edge, at));
+        }
+        if (sides.size() != 2) {
+            borders.open.insert(borders.open.end(), sides.begin(), sides.end());
             continue;
         }
-        UvSeam seam{{edges[first].low, edges[first].high},
-                    side(mesh, grid, edges[first]),
-                    side(mesh, grid, edges[first + 1]),
-                    false};
+        UvSeam seam{{edge.p0, edge.p1}, sides[0], sides[1], false};
         if (same_place(seam.a, seam.b, grid)) continue;
         seam.aligned = is_aligned(seam);
         borders.seams.push_back(seam);
