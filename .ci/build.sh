@@ -1,5 +1,8 @@
 # Sourced by run.sh and test.sh: configures once and builds a preset; quiet unless something fails.
 
+# Clones of the tree share compiled objects, wherever they lie.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+
 relievo_build() {  # preset, target...
     local preset=$1 folder=build/$1 log
     shift
