@@ -7,7 +7,7 @@
 
 #include "tests/reference/sample_surfaces.h"
 
-namespace relievo::testing {
+namespace relievo::test {
 namespace {
 
 using glm::dvec3;
@@ -190,4 +190,4 @@ TEST(NodeLimit, AnswersUndecidedInsteadOfHanging) {
 }
 
 }  // namespace
-}  // namespace relievo::testing
+}  // namespace relievo::test

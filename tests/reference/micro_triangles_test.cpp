@@ -9,7 +9,7 @@
 
 #include "tests/reference/sample_surfaces.h"
 
-namespace relievo::testing {
+namespace relievo::test {
 namespace {
 
 using glm::dvec2;
@@ -205,4 +205,4 @@ TEST(Speed, ABallOf960TrianglesIsTracedWithinSeconds) {
 }
 
 }  // namespace
-}  // namespace relievo::testing
+}  // namespace relievo::test

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-namespace relievo::testing {
+namespace relievo::test {
 
 using glm::dvec2;
 using glm::dvec3;
@@ -140,4 +140,4 @@ double hash01(std::uint32_t a, std::uint32_t b, std::uint32_t seed) {
     return (h >> 8) * (1.0 / 16777216.0);
 }
 
-}  // namespace relievo::testing
+}  // namespace relievo::test

@@ -7,7 +7,7 @@
 
 #include "renderer/reference/reference.h"
 
-namespace relievo::testing {
+namespace relievo::test {
 
 // A mesh with its map; owns what object() points to.
 struct SampleSurface {
@@ -43,4 +43,4 @@ double ball_dunes(double u, double v);
 // A number in [0, 1) from integers: the same everywhere.
 double hash01(std::uint32_t a, std::uint32_t b, std::uint32_t seed);
 
-}  // namespace relievo::testing
+}  // namespace relievo::test
