@@ -38,10 +38,13 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     float side = gap > 0.0f ? 1.0f : -1.0f;
     if (gap < 0.0f && !r.from_inside && !(r.wd > 0.0f && !r.from_side)) {
         // Below the surface right at the entry: neighbouring prisms do not quite agree (the known flaw), so this is
-        // their crack, and it is closed here; unless the edge is the mesh's border, where one looks underneath.
+        // their crack, and it is closed here; unless the edge is the mesh's border, where one looks underneath, or the
+        // ray nears the surface from below: it was below before, and its hit lies ahead.
         bool open = r.from_side && (p.flags & (kPrimitiveOpenEdge0 << r.entry_edge)) != 0u;
         float crack = step_length + 0.1f * max(abs(p.w_low), abs(p.w_high));
-        if (!open && -gap <= crack && opaque_at(p, vec2(b.y, b.z))) {
+        vec3 ahead;
+        bool sinks = !open && -gap <= crack && pdm_gap(p, ob, r, min(tau + step_length, r.high), ahead) <= gap;
+        if (sinks && opaque_at(p, vec2(b.y, b.z))) {
             hit.t = r.t0 + tau;
             hit.b = vec2(b.y, b.z);
             return true;
