@@ -5,9 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "renderer/renderer.h"
-#include "renderer/vulkan/context.h"
 #include "tests/accuracy/comparison.h"
+#include "tests/accuracy/method_images.h"
 #include "tests/reference/sample_surfaces.h"
 
 namespace relievo::test {
@@ -21,11 +20,6 @@ struct NamedView {
     const char* name;
     dvec3 eye, look_at;
 };
-
-vulkan::Context& device() {
-    static vulkan::Context context(vulkan::ContextOptions{});
-    return context;
-}
 
 Scene scene_of(const SampleSurface& sample, const NamedView& view) {
     Scene scene;
@@ -44,19 +38,12 @@ Scene scene_of(const SampleSurface& sample, const NamedView& view) {
 
 ImageComparison compare_pdm(const SampleSurface& sample, const NamedView& view, const char* surface_name) {
     const Scene scene = scene_of(sample, view);
-    RenderSettings settings;
-    settings.width = settings.height = kSize;
-    settings.method = "pdm";
-    settings.parameters = {{"dt", 0.001}, {"jitter", 0}};
-    const HeightView map{sample.width, sample.height, sample.texels.data()};
-    Renderer renderer(device(), scene, std::span(&map, 1), settings);
-    const std::vector<float> depth = renderer.read_back(Layer::depth),
-                             normal = renderer.read_back(Layer::normal);
+    const MethodImages images = pdm_images(scene, {sample.width, sample.height, sample.texels.data()}, kSize);
     const ReferenceSurface surface = sample.reference();
     const ReferenceImage image = trace_image(surface, scene.camera, scene.origin, kSize, kSize);
     EXPECT_EQ(image.undecided, 0u);
     ImageComparison result =
-        compare_images(image, scene.camera, scene.origin, sample.amplitude, depth, normal);
+        compare_images(image, scene.camera, scene.origin, sample.amplitude, images.depth, images.normal);
     std::printf("%s, %s: %s\n", surface_name, view.name, result.text().c_str());
     return result;
 }
@@ -105,8 +92,8 @@ TEST(PdmAgainstReference, BallOf960Triangles) {
     }
 }
 
-// The known flaw (DESIGN.md section 1): the prisms of irregular neighbours disagree, whatever the step. No limits here
-// but that the picture is one; the figures are printed for reports.
+// The known flaw (DESIGN.md section 1): the prisms of irregular neighbours disagree, whatever the step. No
+// limits here but that the picture is one; the figures are printed for reports.
 TEST(PdmAgainstReference, IrregularLumpShowsTheKnownFlaw) {
     SampleSurface sample;
     sample.mesh = lump_mesh();

@@ -1,0 +1,18 @@
+// See method_images.h.
+#include "tests/accuracy/method_images.h"
+
+#include "renderer/vulkan/context.h"
+
+namespace relievo::test {
+
+MethodImages pdm_images(const Scene& scene, const HeightView& map, int size) {
+    static vulkan::Context device{vulkan::ContextOptions{}};
+    RenderSettings settings;
+    settings.width = settings.height = size;
+    settings.method = "pdm";
+    settings.parameters = {{"dt", 0.001}, {"jitter", 0}};
+    Renderer renderer(device, scene, std::span(&map, 1), settings);
+    return {renderer.read_back(Layer::depth), renderer.read_back(Layer::normal)};
+}
+
+}  // namespace relievo::test
