@@ -1,20 +1,15 @@
 // Copies, extension and least squares along texture seams; see the header for the paper and what we changed.
 #include "brushes/seams.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "brushes/seam_solver.h"
+
 namespace relievo {
 namespace {
-
-// Damping against unit residuals. An equation's weights are about 1 in sum on each side and come at least
-// twice a texel, so 0.01 leaves about 1% of a difference between the sides; much less would bend the border's
-// texels to cancel the kinks that the two grids cannot share.
-constexpr double kOwnedDamping = 1e-2;
-constexpr double kLooseDamping = 1e-3;
 
 template <typename Index, typename Visit>
 void visit_tile(const Index& index, std::uint32_t tile, Visit&& visit) {
@@ -31,33 +26,6 @@ void sort_unique(Index& index) {
 
 bool contains(const TexelRect& rect, int x, int y) {
     return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
-}
-
-// The equations' rows over the unknowns, and what the present values leave of them.
-struct System {
-    Eigen::SparseMatrix<double> rows;
-    Eigen::VectorXd residual;
-};
-
-System assemble(const std::vector<SeamEquation>& equations, const std::vector<std::uint32_t>& chosen,
-                const std::vector<std::uint32_t>& unknowns, const std::vector<double>& values) {
-    System system;
-    system.residual = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chosen.size()));
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const SeamEquation& equation = equations[chosen[i]];
-        for (int k = 0; k < 8; ++k) {
-            const double weight = double{equation.weight[k]};
-            system.residual[static_cast<Eigen::Index>(i)] -=
-                weight * values[8 * i + static_cast<std::size_t>(k)];
-            const auto found = std::lower_bound(unknowns.begin(), unknowns.end(), equation.texel[k]);
-            if (weight != 0.0 && found != unknowns.end() && *found == equation.texel[k])
-                entries.emplace_back(static_cast<int>(i), static_cast<int>(found - unknowns.begin()), weight);
-        }
-    }
-    system.rows.resize(static_cast<Eigen::Index>(chosen.size()), static_cast<Eigen::Index>(unknowns.size()));
-    system.rows.setFromTriplets(entries.begin(), entries.end());  // adds up a texel that both sides read
-    return system;
 }
 
 }  // namespace
@@ -100,7 +68,7 @@ void Seams::index_equations(const SeamTable& table, const Surface& surface, cons
             if (equations_[i].weight[k] == 0.0f) continue;
             texel = resolved(texel);
             equations_of_tile_.emplace_back(grid.tile_of(texel), i);
-            if (const Texel at = place(texel); !surface.owned(at.x, at.y)) loose.push_back(texel);
+            add_unowned_around(texel, surface, loose);
         }
     }
     sort_unique(equations_of_tile_);
@@ -109,15 +77,32 @@ void Seams::index_equations(const SeamTable& table, const Surface& surface, cons
     sort_unique(loose_of_tile_);
 }
 
+// The texel and its neighbours where no triangle owns them: between the points of two equations, filtering
+// may read the corner of a cell that neither names.
+void Seams::add_unowned_around(std::uint32_t texel, const Surface& surface,
+                               std::vector<std::uint32_t>& loose) const {
+    const Texel at = place(texel);
+    for (int y = at.y - 1; y <= at.y + 1; ++y)
+        for (int x = at.x - 1; x <= at.x + 1; ++x) {
+            const bool inside =
+                x >= 0 && y >= 0 && x < static_cast<int>(width_) && y < static_cast<int>(height_);
+            if (inside && !surface.owned(x, y) && !is_gutter(x, y))
+                loose.push_back(static_cast<std::uint32_t>(y) * width_ + static_cast<std::uint32_t>(x));
+        }
+}
+
 void Seams::add_loose(std::uint32_t texel, const Surface& surface, const TileGrid& grid) {
     Loose loose{texel, {}};
     const Texel at = place(texel);
-    for (int y = std::max(at.y - 1, 0); y <= std::min<int>(at.y + 1, static_cast<int>(height_) - 1); ++y)
-        for (int x = std::max(at.x - 1, 0); x <= std::min<int>(at.x + 1, static_cast<int>(width_) - 1); ++x) {
-            if (!surface.owned(x, y)) continue;
-            loose.neighbours.push_back({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)});
-            loose_of_tile_.emplace_back(grid.tile_of(x, y), static_cast<std::uint32_t>(loose_.size()));
-        }
+    const TexelRect map = grid.bounds();
+    // A seam that clips the corner of a cell reads texels that are two away from any that a triangle owns.
+    for (int reach = 1; reach <= 2 && loose.neighbours.empty(); ++reach)
+        for (int y = std::max(at.y - reach, 0); y < std::min(at.y + reach + 1, map.y1); ++y)
+            for (int x = std::max(at.x - reach, 0); x < std::min(at.x + reach + 1, map.x1); ++x) {
+                if (!surface.owned(x, y)) continue;
+                loose.neighbours.push_back({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)});
+                loose_of_tile_.emplace_back(grid.tile_of(x, y), static_cast<std::uint32_t>(loose_.size()));
+            }
     loose_.push_back(std::move(loose));
 }
 
@@ -205,28 +190,42 @@ std::vector<std::uint32_t> Seams::equations_on(const std::vector<std::uint32_t>&
     return chosen;
 }
 
+SeamSystem Seams::system_on(const std::vector<std::uint32_t>& unknowns, const StrokeTiles& stroke) const {
+    const std::vector<std::uint32_t> chosen = equations_on(unknowns, stroke.grid());
+    SeamSystem system;
+    system.residual.assign(chosen.size(), 0.0);
+    for (std::size_t row = 0; row < chosen.size(); ++row)
+        for (int k = 0; k < 8; ++k) {
+            const SeamEquation& equation = equations_[chosen[row]];
+            if (equation.weight[k] == 0.0f) continue;
+            const double weight = double{equation.weight[k]};
+            const Texel at = place(equation.texel[k]);
+            system.residual[row] -= weight * double{stroke.value(at.x, at.y)};
+            const auto found = std::lower_bound(unknowns.begin(), unknowns.end(), equation.texel[k]);
+            if (found == unknowns.end() || *found != equation.texel[k]) continue;
+            system.entries.push_back({row, static_cast<std::size_t>(found - unknowns.begin()), weight});
+        }
+    float low = 65535.0f, high = 0.0f;
+    for (const std::uint32_t texel : unknowns) {
+        const Texel at = place(texel);
+        system.loose.push_back(is_loose(texel));
+        if (system.loose.back()) continue;
+        low =
+            std::min(low, std::min(stroke.value(at.x, at.y), static_cast<float>(stroke.before(at.x, at.y))));
+        high =
+            std::max(high, std::max(stroke.value(at.x, at.y), static_cast<float>(stroke.before(at.x, at.y))));
+    }
+    system.relief = std::max(0.0, double{high} - double{low});
+    return system;
+}
+
 void Seams::settle(StrokeTiles& stroke) const {
     const std::vector<std::uint32_t> unknowns = touched_texels(stroke);
     if (unknowns.empty()) return;
-    const std::vector<std::uint32_t> chosen = equations_on(unknowns, stroke.grid());
-    std::vector<double> values;
-    values.reserve(8 * chosen.size());
-    for (const std::uint32_t i : chosen)
-        for (const std::uint32_t texel : equations_[i].texel)
-            values.push_back(double{stroke.value(place(texel).x, place(texel).y)});
-    const System system = assemble(equations_, chosen, unknowns, values);
-
-    Eigen::SparseMatrix<double> normal = system.rows.transpose() * system.rows;
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
-        normal.coeffRef(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) +=
-            is_loose(unknowns[i]) ? kLooseDamping : kOwnedDamping;
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factored(normal);
-    const Eigen::VectorXd step = factored.solve(system.rows.transpose() * system.residual);
+    const std::vector<double> steps = solve_seam(system_on(unknowns, stroke));
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
         const Texel at = place(unknowns[i]);
-        const float change =
-            stroke.change(at.x, at.y) + static_cast<float>(step[static_cast<Eigen::Index>(i)]);
-        stroke.set_change(at.x, at.y, change);
+        stroke.set_change(at.x, at.y, stroke.change(at.x, at.y) + static_cast<float>(steps[i]));
     }
     copy_changed(stroke);
 }

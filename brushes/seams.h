@@ -21,6 +21,8 @@
 
 namespace relievo {
 
+struct SeamSystem;
+
 class Seams {
   public:
     // Reads surface.seams() and surface.owned() once. Throws std::invalid_argument on a texel outside the
@@ -52,6 +54,8 @@ class Seams {
     }
     void index_copies(const SeamTable& table, const TileGrid& grid);
     void index_equations(const SeamTable& table, const Surface& surface, const TileGrid& grid);
+    void add_unowned_around(std::uint32_t texel, const Surface& surface,
+                            std::vector<std::uint32_t>& loose) const;
     void add_loose(std::uint32_t texel, const Surface& surface, const TileGrid& grid);
     void copy_changed(StrokeTiles& stroke) const;
     void extend_islands(StrokeTiles& stroke) const;
@@ -59,6 +63,7 @@ class Seams {
     std::vector<std::uint32_t> touched_texels(const StrokeTiles& stroke) const;
     std::vector<std::uint32_t> equations_on(const std::vector<std::uint32_t>& texels,
                                             const TileGrid& grid) const;
+    SeamSystem system_on(const std::vector<std::uint32_t>& unknowns, const StrokeTiles& stroke) const;
 
     std::uint32_t width_, height_;
     std::vector<SeamCopy> copies_;         // sorted by gutter

@@ -118,7 +118,7 @@ void ChartSurface::add_equations(std::size_t chart_a, std::size_t chart_b, glm::
     const double length =
         std::max(glm::length(charts_[chart_a].texel_of(to) - charts_[chart_a].texel_of(from)),
                  glm::length(charts_[chart_b].texel_of(to) - charts_[chart_b].texel_of(from)));
-    const int count = static_cast<int>(std::ceil(3.0 * length));
+    const int count = static_cast<int>(std::ceil(6.0 * length));
     for (int i = 0; i <= count; ++i) {
         const glm::dvec2 point = from + (to - from) * (i / double(count));
         const Taps a = taps_at(map_, charts_[chart_a].texel_of(point));

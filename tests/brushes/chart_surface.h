@@ -40,7 +40,7 @@ class ChartSurface : public Surface {
     Dab dab(double x, double y, double pressure = 1.0) const;
     // Counts at a point by bilinear filtering of a chart's texels.
     double counts(std::size_t chart, glm::dvec2 point) const;
-    // Adds the equations of an edge between two charts, three a texel.
+    // Adds the equations of an edge between two charts, six a texel.
     void add_equations(std::size_t chart_a, std::size_t chart_b, glm::dvec2 from, glm::dvec2 to);
     // The largest difference of the two charts' heights along an edge, in counts.
     double gap(std::size_t chart_a, std::size_t chart_b, glm::dvec2 from, glm::dvec2 to) const;
