@@ -47,27 +47,30 @@ Line parallel(glm::dvec3 axis, double angle, double waver) {
     return line;
 }
 
-// One rock: a mound, facets knocked flat, two cracks.
+// One rock: the ground evened, a steep mound, facets knocked flat, a gap all around, a crack.
 void raise_rock(StrokeJournal& journal, glm::dvec3 where, double radius, std::uint32_t seed) {
     const StrokeJournal::Foot foot = journal.nearest(where);
     const glm::dvec3 c = foot.point, n = foot.normal;
     const Axes axes = across(n);
-    journal.stroke({"draw", radius, 0.95, 0.35}, spiral(c, n, 0.05 * radius, 0.45 * radius, 1.6), 0.5);
-    for (std::uint32_t k = 0; k < 3; ++k) {
-        const double angle = 2.0 * kPi * (k / 3.0 + 0.2 * hash01(k, 0, 0, seed));
+    journal.stroke({"smooth", 0.7 * radius, 1.0, 0.5, 0.2}, spiral(c, n, 0.1 * radius, 0.5 * radius, 1.5),
+                   0.8);
+    journal.stroke({"draw", 0.5 * radius, 0.95, 0.6}, spiral(c, n, 0.22 * radius, 0.5 * radius, 2.3), 0.6);
+    constexpr std::uint32_t kFacets = 4;
+    for (std::uint32_t k = 0; k < kFacets; ++k) {
+        const double angle = 2.0 * kPi * (k + 0.6 * hash01(k, 0, 0, seed)) / kFacets;
         const glm::dvec3 aside = axes.u * cosine(angle) + axes.v * sine(angle);
         const glm::dvec3 along = glm::cross(n, aside);
-        const glm::dvec3 facet = c + aside * (0.55 * radius);
-        journal.stroke({"flatten", 0.55 * radius, 0.75, 0.4, 0.2},
-                       {facet - along * (0.2 * radius), facet + along * (0.2 * radius)}, 0.35);
+        const glm::dvec3 facet = c + aside * (radius * (0.35 + 0.3 * hash01(k, 1, 0, seed)));
+        journal.stroke({"flatten", 0.45 * radius, 0.85, 0.6, 0.2},
+                       {facet - along * (0.25 * radius), facet + along * (0.25 * radius)}, 0.35);
     }
-    for (std::uint32_t k = 0; k < 2; ++k) {
-        const double angle = 2.0 * kPi * hash01(k, 1, 0, seed);
-        const glm::dvec3 way = axes.u * cosine(angle) + axes.v * sine(angle);
-        const glm::dvec3 bend = glm::cross(n, way) * (0.25 * radius * (hash01(k, 2, 0, seed) - 0.5));
-        journal.stroke({"draw", 0.16 * radius, 0.85, 0.0, 0.25, true},
-                       {c - way * (0.75 * radius), c + bend, c + way * (0.8 * radius)}, 0.4);
-    }
+    journal.stroke({"draw", 0.16 * radius, 1.0, 0.2, 0.25, true},
+                   spiral(c, n, 1.02 * radius, 1.06 * radius, 1.02), 0.6);
+    const double angle = 2.0 * kPi * hash01(7, 2, 0, seed);
+    const glm::dvec3 way = axes.u * cosine(angle) + axes.v * sine(angle);
+    const glm::dvec3 bend = glm::cross(n, way) * (0.3 * radius * (hash01(8, 3, 0, seed) - 0.5));
+    journal.stroke({"draw", 0.1 * radius, 1.0, 0.0, 0.25, true},
+                   {c - way * (0.7 * radius), c + bend, c + way * (0.8 * radius)}, 0.4);
 }
 
 void rocks_on_the_stump(StrokeJournal& journal) {
@@ -75,46 +78,55 @@ void rocks_on_the_stump(StrokeJournal& journal) {
         glm::dvec3 where;
         double radius;
     };
-    constexpr Rock kRocks[] = {{{0.22, 1.2, 0.2}, 0.2},   {{-0.2, 1.2, 0.26}, 0.15},
-                               {{0.06, 1.2, -0.2}, 0.17}, {{0.62, 0.62, 0.4}, 0.17},
-                               {{0.1, 0.55, 0.9}, 0.2},   {{0.38, 0.3, 0.95}, 0.15},
-                               {{-0.5, 1.13, 0.33}, 0.13}};
+    constexpr Rock kRocks[] = {{{0.2, 1.2, 0.12}, 0.24},   {{-0.26, 1.2, 0.2}, 0.16},
+                               {{-0.08, 1.2, -0.28}, 0.2}, {{0.62, 0.7, 0.45}, 0.2},
+                               {{0.15, 0.62, 0.8}, 0.24},  {{0.55, 0.28, 0.85}, 0.17},
+                               {{-0.35, 0.4, 0.95}, 0.19}};
     std::uint32_t seed = 611;
     for (const Rock& rock : kRocks) raise_rock(journal, rock.where, rock.radius, seed++);
     // A slip of the hand over the rings, taken back.
     journal.stroke({"draw", 0.12, 1.0}, {{-0.3, 1.2, -0.3}, {0.4, 1.2, 0.0}, {0.5, 1.2, 0.4}}, 1.2);
     journal.undo();
-    // Moss on the edge: the bark beside the first rocks is softened.
-    journal.stroke({"smooth", 0.12, 0.7, 0.0, 0.2}, {{0.55, 1.1, 0.1}, {0.5, 1.12, 0.35}, {0.3, 1.14, 0.55}},
+    // Moss on the edge: wood and bark beside the rocks are softened, over the slanted seam.
+    journal.stroke({"smooth", 0.1, 0.7, 0.0, 0.2}, {{0.58, 1.12, 0.15}, {0.5, 1.12, 0.38}, {0.3, 1.14, 0.56}},
                    0.5);
 }
 
 void groove_around_the_orb(StrokeJournal& journal) {
-    const glm::dvec3 axis = glm::normalize(glm::dvec3(-0.42, 0.8, 0.22));
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(-0.52, 0.83, -0.12));
     constexpr double kMiddle = kPi / 2.0, kWaver = 0.05;
-    journal.stroke({"smooth", 0.12, 0.9, 0.3, 0.3}, parallel(axis, kMiddle, kWaver), 1.2);
-    journal.stroke({"draw", 0.11, 0.9, 0.25, 0.2, true}, parallel(axis, kMiddle, kWaver), 0.9);
-    journal.stroke({"draw", 0.055, 0.8, 0.0, 0.3, true}, parallel(axis, kMiddle, kWaver), 0.9);
-    for (const double side : {-0.125, 0.125})
-        journal.stroke({"draw", 0.05, 0.9, 0.2, 0.3}, parallel(axis, kMiddle + side, kWaver), 0.9);
-    journal.stroke({"smooth", 0.06, 0.5, 0.0, 0.4}, parallel(axis, kMiddle, kWaver), 1.4);
+    // The ornament is taken off along a band, the band is hollowed out twice, its edges are raised and
+    // evened.
+    StrokeBrush clear{"level", 0.2, 1.0, 0.75, 0.2};
+    clear.level = 0.54;
+    journal.stroke(clear, parallel(axis, kMiddle, kWaver), 1.4);
+    journal.stroke({"draw", 0.13, 1.0, 0.3, 0.2, true}, parallel(axis, kMiddle, kWaver), 0.9);
+    journal.stroke({"draw", 0.07, 1.0, 0.2, 0.3, true}, parallel(axis, kMiddle, kWaver), 0.9);
+    for (const double side : {-0.165, 0.165})
+        journal.stroke({"draw", 0.045, 1.0, 0.2, 0.3}, parallel(axis, kMiddle + side, kWaver), 0.9);
+    journal.stroke({"smooth", 0.07, 0.5, 0.0, 0.4}, parallel(axis, kMiddle, kWaver), 1.4);
 }
 
 void first_minute_on_the_asteroid(StrokeJournal& journal) {
-    // What everyone does first: one long stroke across the front.
+    const glm::dvec3 front = glm::normalize(glm::dvec3(0.72, 0.22, 0.66));
+    const Axes axes = across(front);
+    const auto at = [&](double right, double up) { return front * 0.95 + axes.u * right + axes.v * up; };
+    // What everyone does first: one long wave across the front.
     Line wave;
-    for (int i = 0; i <= 60; ++i) {
-        const double x = -0.75 + 1.5 * i / 60.0;
-        wave.push_back({x + 0.35, 0.25 * sine(4.2 * x) - 0.1, 0.95 - 0.5 * x});
+    for (int i = 0; i <= 80; ++i) {
+        const double x = -0.75 + 1.2 * i / 80.0;
+        wave.push_back(at(x, -0.2 + 0.15 * sine(9.0 * x)));
     }
-    journal.stroke({"draw", 0.14, 0.9, 0.1}, wave, 0.7);
+    journal.stroke({"draw", 0.085, 1.0, 0.4}, wave, 0.7);
+    journal.stroke({"draw", 0.06, 1.0, 0.4}, wave, 0.9);
     // Then the other way: a crater, its rim, and a hill in its middle.
-    const StrokeJournal::Foot foot = journal.nearest({0.35, 0.55, 0.9});
-    journal.stroke({"draw", 0.16, 0.8, 0.2, 0.15, true}, spiral(foot.point, foot.normal, 0.02, 0.14, 2.2),
-                   0.6);
-    journal.stroke({"draw", 0.07, 0.9, 0.1}, spiral(foot.point, foot.normal, 0.28, 0.28, 1.05), 0.6);
-    journal.stroke({"smooth", 0.12, 0.6, 0.0, 0.2}, spiral(foot.point, foot.normal, 0.05, 0.2, 2.0), 0.8);
-    journal.stroke({"draw", 0.07, 1.0}, spiral(foot.point, foot.normal, 0.0, 0.03, 2.0), 0.3);
+    const StrokeJournal::Foot foot = journal.nearest(at(-0.15, 0.42));
+    const glm::dvec3 c = foot.point, n = foot.normal;
+    journal.stroke({"smooth", 0.2, 1.0, 0.5, 0.2}, spiral(c, n, 0.05, 0.22, 2.0), 0.9);
+    journal.stroke({"draw", 0.13, 1.0, 0.3, 0.15, true}, spiral(c, n, 0.02, 0.13, 2.2), 0.6);
+    journal.stroke({"draw", 0.07, 1.0, 0.2}, spiral(c, n, 0.27, 0.27, 1.05), 0.6);
+    journal.stroke({"draw", 0.07, 1.0}, spiral(c, n, 0.0, 0.03, 2.0), 0.3);
+    journal.stroke({"smooth", 0.1, 0.5, 0.0, 0.25}, spiral(c, n, 0.1, 0.25, 2.0), 0.8);
 }
 
 }  // namespace

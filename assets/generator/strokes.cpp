@@ -56,6 +56,7 @@ std::string brush_text(const StrokeBrush& brush) {
     text += R"(,"strength":)" + number(brush.strength);
     text += R"(,"hardness":)" + number(brush.hardness);
     text += R"(,"spacing":)" + number(brush.spacing);
+    text += R"(,"level":)" + number(brush.level);
     return text + "}";
 }
 

@@ -20,6 +20,7 @@ struct StrokeBrush {
     double spacing = 0.15;  // of the radius
     bool lower = false;     // draw lowers
     std::string falloff = "smooth";
+    double level = 0.5;  // map value that the level tool moves to
 };
 
 class StrokeJournal {
