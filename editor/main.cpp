@@ -1,4 +1,6 @@
 // The program: the command line, with the window behind its verb `edit`.
+#include <csignal>
+
 #include "editor/cli/cli.h"
 
 #ifdef RELIEVO_HAS_WINDOW
@@ -6,6 +8,7 @@
 #endif
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, not the end of the session
     relievo::EditorEntry editor;
 #ifdef RELIEVO_HAS_WINDOW
     editor = [](const relievo::EditRequest& request) {

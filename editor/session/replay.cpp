@@ -56,6 +56,10 @@ class Replayer {
 
     ReplayReport run() {
         check_start(journal_, session_, options_.force);
+        std::size_t dabs = 0;
+        for (const JournalEntry& entry : journal_.entries)
+            if (const auto* stroke = std::get_if<StrokeOp>(&entry.op)) dabs += stroke->dabs.size();
+        dabs_per_trace_ = std::max<std::size_t>(1, (dabs + kLiveTraces - 1) / kLiveTraces);
         for (std::size_t i = 0; i < journal_.entries.size(); ++i) {
             if (options_.progress) options_.progress(i, journal_.entries.size());
             line_ = journal_.entries[i].line;
@@ -75,7 +79,7 @@ class Replayer {
         session_.begin_stroke();
         for (const Dab& dab : op.dabs) {
             session_.dab(dab);
-            if (options_.live) trace_around_dab();
+            if (options_.live && report_.dab_times.size() % dabs_per_trace_ == 0) trace_around_dab();
             report_.dab_times.push_back(session_.times());
         }
         session_.end_stroke();
@@ -182,6 +186,7 @@ class Replayer {
     Session& session_;
     const ReplayOptions& options_;
     ReplayReport report_;
+    std::size_t dabs_per_trace_ = 1;
     int line_ = 0;
 };
 

@@ -15,7 +15,8 @@ namespace relievo {
 
 struct ReplayOptions {
     bool force = false;  // go on though mesh or map differ from the recorded ones
-    bool live = false;   // trace the window around each dab, as the editor does while a stroke runs
+    bool live = false;   // trace the window around the brush, as the editor does while a stroke runs, at up to
+                         // kLiveTraces dabs spread evenly over the journal
     int spp = 0;         // of `render` and `expect_image` lines that name none; 0: the scene's
     std::filesystem::path
         failed_pictures;  // folder for pictures that `expect_image` refused; empty: temporary
@@ -28,7 +29,8 @@ struct ReplayReport {
     std::vector<StageTimes> dab_times;  // of every dab, in order; trace_ms only with `live`
 };
 
-constexpr int kLiveWindow = 256;  // pixels a side
+constexpr int kLiveWindow = 256;            // pixels a side
+constexpr std::size_t kLiveTraces = 200;
 
 // A journal that renders needs a session with a renderer.
 bool needs_renderer(const Journal& journal);
