@@ -143,6 +143,41 @@ TEST(DegenerateRays, FromAMillionUnitsAwayTheyHitWithinTheRoundingOfTheirOwnNumb
     EXPECT_NEAR(far_hit->t - 1e6, near_hit->t, 1e-8);
 }
 
+TEST(DegenerateRays, AtScalesFromTenThousandthToTenThousandTheyHitTheSamePlaces) {
+    const SampleSurface unit = ball_with_dunes(32, 16, 0.25, 0.5);
+    const ReferenceSurface surface = unit.reference();
+    for (const double scale : {0x1p-14, 0x1p14}) {  // powers of two: the float positions scale exactly
+        SampleSurface scaled = unit;
+        for (glm::vec3& p : scaled.mesh.positions) p *= static_cast<float>(scale);
+        scaled.amplitude *= scale;
+        const ReferenceSurface other = scaled.reference();
+        for (std::uint32_t i = 0; i < 300; ++i) {
+            const dvec3 from = (dvec3(hash01(i, 0, 4), hash01(i, 1, 4), hash01(i, 2, 4)) - 0.5) * 6.0;
+            const dvec3 d = (dvec3(hash01(i, 3, 4), hash01(i, 4, 4), hash01(i, 5, 4)) - 0.5) - from;
+            const auto a = surface.first_hit(from, d, 0, kFar),
+                       b = other.first_hit(from * scale, d * scale, 0, kFar);
+            ASSERT_EQ(a.has_value(), b.has_value()) << scale << " " << i;
+            if (!a) continue;
+            EXPECT_NEAR(a->t, b->t, 1e-12) << scale << " " << i;
+            EXPECT_EQ(a->face, b->face) << scale << " " << i;
+        }
+    }
+}
+
+TEST(Images, AreTheSameWithAnyNumberOfThreads) {
+    const SampleSurface sample = ball_with_dunes(32, 16, 0.25, 0.5);
+    const ReferenceSurface surface = sample.reference();
+    int rows = 0;
+    const ReferenceImage one =
+        trace_image(surface, Camera{}, dvec3(0), 24, 16, 1, [&](int done) { rows = done; });
+    const ReferenceImage three = trace_image(surface, Camera{}, dvec3(0), 24, 16, 3);
+    EXPECT_EQ(rows, 16);
+    EXPECT_EQ(one.depth, three.depth);
+    EXPECT_EQ(one.normal, three.normal);
+    EXPECT_EQ(one.uv, three.uv);
+    EXPECT_EQ(one.face, three.face);
+}
+
 TEST(DegenerateRays, DirectionNeedNotBeUnit) {
     const SampleSurface sample = ball_with_dunes(12, 7, 0.2, 0.5);
     const ReferenceSurface surface = sample.reference();
