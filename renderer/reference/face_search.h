@@ -64,7 +64,7 @@ class FaceSearch {
         double shortest_normal;  // 0: N may vanish on it, the curvature is unknown
     };
     enum class Root { inside, outside, unknown };
-    // Local derivatives of S by the part's own two edges, and the place as fractions of them.
+    // A place of a smooth part as fractions of its two edges, and z there.
     struct LocalRoot {
         double c1, c2, z;
     };

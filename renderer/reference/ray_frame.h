@@ -14,7 +14,6 @@ class RayFrame {
     // x and y across the ray, z along it from the origin.
     glm::dvec3 local(const glm::dvec3& point) const { return turn(point - origin_); }
     glm::dvec3 turn(const glm::dvec3& vector) const;
-    const glm::dvec3& origin() const { return origin_; }
     const glm::dvec3& direction() const { return z_; }
 
   private:
