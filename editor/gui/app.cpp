@@ -20,6 +20,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kInputMs = 40;    // of strokes, before the picture gets its turn
 constexpr double kTraceMs = 40;    // a frame
 constexpr double kRestSeconds = 0.5;
+constexpr double kUnhurriedMs = 100;  // between frames that show nothing new but numbers
 constexpr int kSettleFrames = 3;
 
 double ms_since(Clock::time_point start) {
@@ -29,7 +30,7 @@ double ms_since(Clock::time_point start) {
 }  // namespace
 
 App::App(Window& window, Screen& screen, Session& session, const std::string& message)
-    : window_(&window), screen_(&screen), live_(session), desk_(session, live_, toasts_), pointer_(desk_) {
+    : window_(&window), screen_(&screen), live_(session, screen.format()), desk_(session, live_, toasts_), pointer_(desk_) {
     if (!message.empty()) toasts_.error(message);
     for (const std::string& warning : session.scene().warnings) toasts_.info(warning);
 }
@@ -48,16 +49,22 @@ Departure App::run() {
             pointer_.cancel();
             desk_.leave({});
         }
-        if (screen_->begin()) {
-            draw_interface();
-            screen_->end(&live_.picture(), layout_.picture.x, layout_.picture.y);
-            if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
-        }
+        // While the picture only refines, the device's time is the tracer's.
+        if (frames_due_ > 0 || live_.take_changed() || ms_since(last_drawn_) > kUnhurriedMs) draw();
         live_.work(kTraceMs);
         follow_pointer();
         update_title();
     }
     return *desk_.departure;
+}
+
+void App::draw() {
+    last_drawn_ = Clock::now();
+    if (frames_due_ > 0) --frames_due_;
+    if (!screen_->begin()) return;
+    draw_interface();
+    screen_->end(&live_.picture(), layout_.picture.x, layout_.picture.y);
+    if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
 }
 
 void App::wait_for_input() {
@@ -70,7 +77,6 @@ void App::wait_for_input() {
         frames_due_ = 1;
     }
     if (!window_->events().empty()) frames_due_ = kSettleFrames;
-    if (frames_due_ > 0) --frames_due_;
 }
 
 // Dialogs and open menus keep the pointer to themselves. Asked at each press: Dear ImGui's own answer is as old as
@@ -99,6 +105,7 @@ void App::handle_input() {
 
 void App::handle_key(const InputEvent& event) {
     if (event.code == GLFW_KEY_ESCAPE) return pointer_.cancel();
+    if (event.code == GLFW_KEY_F12) desk_.view.screenshot_wanted = true;
     if (pointer_.dragging() || ImGui::GetIO().WantTextInput || !picture_free()) return;
     pointer_.apply_camera();
     on_key(desk_, event, {layout_.picture.width, layout_.picture.height});

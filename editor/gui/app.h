@@ -1,6 +1,7 @@
 // One open scene in the window: the loop of input, tracing and drawing.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
 #include "editor/gui/desk.h"
@@ -22,6 +23,7 @@ class App {
 
   private:
     void wait_for_input();
+    void draw();
     void handle_input();
     void handle_key(const InputEvent& event);
     bool picture_free() const;
@@ -40,6 +42,7 @@ class App {
     Layout layout_;
     double x_ = -1, y_ = -1;       // of the pointer, window pixels
     bool pointer_stale_ = false;   // the surface under the pointer may have changed
+    std::chrono::steady_clock::time_point last_drawn_{};
     int frames_due_ = 3;           // drawn before the loop rests: the interface settles over a few frames
 };
 

@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -12,26 +14,51 @@
 namespace relievo::gui {
 namespace {
 
-constexpr int kRingPoints = 48;
+constexpr std::size_t kRingPoints = 64;
 
-// Where the ball of the brush meets the surface, nearly: each point of a circle in the tangent plane is dropped
-// onto the surface along the normal. Where nothing is near (past a silhouette), it stays in the plane.
+// The circle's radius where the surface stands `height` over its plane; never so small that the ring folds.
+float shrunk(float radius, float height) {
+    return radius * std::sqrt(std::max(0.25f, 1 - height * height / (radius * radius)));
+}
+
+// Over cracks and cliffs the ring follows the surface's broad shape: jagged, it would hide what it marks.
+void even_out(std::array<float, kRingPoints>& height) {
+    for (int round = 0; round < 2; ++round) {
+        const auto before = height;
+        for (std::size_t i = 0; i < kRingPoints; ++i)
+            height[i] = 0.5f * before[i] +
+                        0.25f * (before[(i + 1) % kRingPoints] + before[(i + kRingPoints - 1) % kRingPoints]);
+    }
+}
+
+glm::vec3 ring_point(glm::vec3 centre, glm::vec3 u, glm::vec3 v, std::size_t index, float radius) {
+    const double angle = 2 * 3.14159265358979323846 * static_cast<double>(index) / kRingPoints;
+    return centre + radius * (u * static_cast<float>(std::cos(angle)) + v * static_cast<float>(std::sin(angle)));
+}
+
+// Where the ball of the brush meets the surface, nearly: points of a circle in the tangent plane are dropped onto
+// the surface along the normal, then again from a smaller circle where the surface lies lower or higher, so that
+// their distance to the centre is the radius. Where nothing is near (past a silhouette), they stay in the plane.
 std::vector<glm::vec3> ring_around(Renderer& renderer, const PickHit& centre, float radius) {
     const glm::vec3 n = centre.normal;
     const glm::vec3 other = std::abs(n.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
     const glm::vec3 u = glm::normalize(glm::cross(n, other)), v = glm::cross(n, u);
-    std::vector<glm::vec3> points;
-    std::vector<Ray> rays;
-    for (int i = 0; i < kRingPoints; ++i) {
-        const double angle = 2 * 3.14159265358979323846 * i / kRingPoints;
-        points.push_back(centre.position + radius * (u * static_cast<float>(std::cos(angle)) +
-                                                     v * static_cast<float>(std::sin(angle))));
-        rays.push_back({points.back() + n * radius, -n});
+    std::array<float, kRingPoints> height{};  // over the tangent plane
+    for (int round = 0; round < 2; ++round) {
+        std::vector<Ray> rays;
+        for (std::size_t i = 0; i < height.size(); ++i)
+            rays.push_back({ring_point(centre.position, u, v, i, shrunk(radius, height[i])) + n * radius, -n});
+        const std::vector<PickHit> hits = renderer.pick(rays);
+        for (std::size_t i = 0; i < height.size(); ++i) {
+            const float fresh = hits[i].hit ? radius - hits[i].distance : 0;
+            height[i] = std::abs(fresh) < radius ? fresh : 0;
+        }
+        even_out(height);
     }
-    const std::vector<PickHit> hits = renderer.pick(rays);
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (hits[i].hit && hits[i].distance < 2 * radius) points[i] = hits[i].position;
-    return points;
+    std::vector<glm::vec3> ring;
+    for (std::size_t i = 0; i < height.size(); ++i)
+        ring.push_back(ring_point(centre.position, u, v, i, shrunk(radius, height[i])) + n * height[i]);
+    return ring;
 }
 
 // The map's value at a point of the base mesh, bilinear between texel centres, in counts.

@@ -62,10 +62,7 @@ void Canvas::resize(PixelSize size) {
 }
 
 void Canvas::record(VkCommandBuffer cmd, const Record& underlay, const Record& overlay) const {
-    const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     image_.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-    vkCmdClearColorImage(cmd, image_.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &kBackground, 1, &all);
-    vulkan::memory_barrier(cmd);
     underlay(cmd);
     image_.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     VkRenderPassBeginInfo begin{};
@@ -78,6 +75,11 @@ void Canvas::record(VkCommandBuffer cmd, const Record& underlay, const Record& o
     overlay(cmd);
     vkCmdEndRenderPass(cmd);
     image_.transition(cmd, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+}
+
+void Canvas::record_clear(VkCommandBuffer cmd) const {
+    const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    vkCmdClearColorImage(cmd, image_.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &kBackground, 1, &all);
 }
 
 DisplayPicture Canvas::read_back() {

@@ -18,15 +18,19 @@ class Canvas {
   public:
     Canvas(vulkan::Context& context, VkFormat format);
 
+    VkFormat format() const { return format_; }
     VkRenderPass render_pass() const { return pass_.get(); }
     VkImage image() const { return image_.get(); }
     PixelSize size() const { return {image_.width(), image_.height()}; }
     void resize(PixelSize size);
 
-    // Records: clear, `underlay` (copies into image(), in layout TRANSFER_DST_OPTIMAL), then `overlay` in the
-    // render pass. The image ends in layout TRANSFER_SRC_OPTIMAL.
+    // Records `underlay` (copies into image(), in layout TRANSFER_DST_OPTIMAL; what it leaves out is undefined), then
+    // `overlay` in the render pass. The image ends in layout TRANSFER_SRC_OPTIMAL.
     using Record = std::function<void(VkCommandBuffer)>;
     void record(VkCommandBuffer commands, const Record& underlay, const Record& overlay) const;
+
+    // For an underlay without a picture.
+    void record_clear(VkCommandBuffer commands) const;
 
     // As last drawn.
     DisplayPicture read_back();

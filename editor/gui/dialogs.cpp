@@ -9,6 +9,7 @@
 
 #include "editor/gui/keys.h"
 #include "editor/gui/theme.h"
+#include "editor/gui/widgets.h"
 
 namespace relievo::gui {
 namespace {
@@ -19,8 +20,7 @@ constexpr const char* kRecoveryTitle = "Recover unsaved work";
 
 bool begin_dialog(const char* title, float width) {
     ImGui::SetNextWindowSize(ImVec2(points(width), 0));
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    return ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize);
+    return begin_modal(title, nullptr);
 }
 
 bool escape_pressed() {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "editor/gui/theme.h"
+#include "editor/gui/widgets.h"
 
 namespace relievo::gui {
 namespace fs = std::filesystem;
@@ -134,9 +135,8 @@ std::optional<fs::path> FileDialog::draw() {
     if (!open_) return std::nullopt;
     if (just_opened_) ImGui::OpenPopup(purpose_.title);
     ImGui::SetNextWindowSize(ImVec2(points(560), 0));
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     bool keep = true;
-    if (!ImGui::BeginPopupModal(purpose_.title, &keep, ImGuiWindowFlags_NoResize)) {
+    if (!begin_modal(purpose_.title, &keep)) {
         open_ = false;
         return std::nullopt;
     }

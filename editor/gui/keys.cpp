@@ -78,7 +78,6 @@ void on_key(Desk& desk, const InputEvent& event, PixelSize picture) {
         case GLFW_KEY_KP_7: return look(desk, Axis::top);
         case GLFW_KEY_TAB: desk.view.interface_hidden = !desk.view.interface_hidden; return;
         case GLFW_KEY_F1: desk.view.wanted = Dialog::keys; return;
-        case GLFW_KEY_F12: desk.view.screenshot_wanted = true; return;
         default: return;
     }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "editor/session/replay.h"
 #include "editor/session/view_window.h"
@@ -29,14 +30,16 @@ double pixels(const PixelRect& r) {
     return static_cast<double>(r.x1 - r.x0) * static_cast<double>(r.y1 - r.y0);
 }
 
-// A moving average: single calls are noisy.
+// A moving average: single calls are noisy, and the first one of a kind may wait for a compiler.
 void learn(double& ms_per_pixel, double ms, double pixel_count) {
-    if (pixel_count > 0) ms_per_pixel += 0.3 * (ms / pixel_count - ms_per_pixel);
+    if (pixel_count > 0)
+        ms_per_pixel += 0.3 * (std::min(ms / pixel_count, 4 * ms_per_pixel) - ms_per_pixel);
 }
 
 }  // namespace
 
-LivePicture::LivePicture(Session& session) : session_(&session), picture_(session.context()) {}
+LivePicture::LivePicture(Session& session, VkFormat format)
+    : session_(&session), picture_(session.context(), format) {}
 
 PixelSize LivePicture::full_size() const {
     return {std::max(1, picture_.size().width / reduction_), std::max(1, picture_.size().height / reduction_)};
@@ -119,8 +122,18 @@ bool LivePicture::idle() const {
     return phase_ == Phase::sampling && samples() >= sample_limit_;
 }
 
+bool LivePicture::take_changed() {
+    return std::exchange(changed_, false);
+}
+
 int LivePicture::samples() const {
     return phase_ == Phase::sampling ? session_->renderer().samples() : 0;
+}
+
+double LivePicture::progress() const {
+    const double tiles = std::max(1, tiles_x_ * tiles_y_);
+    if (phase_ != Phase::sampling) return phase_ == Phase::moving ? 0 : 0.3 * (1 - stale_count_ / tiles);
+    return samples() > 0 ? 1 : 0.3 + 0.7 * next_row_ / std::max(1, session_->renderer().height());
 }
 
 void LivePicture::set_sample_limit(int limit) {
@@ -205,6 +218,7 @@ void LivePicture::trace_sample() {
 
 void LivePicture::show(const PixelRect& window) {
     picture_.copy(renderer(), window);
+    changed_ = true;
 }
 
 // Whole rows of pixels from `row` on, about kSliceMs worth of them.

@@ -15,7 +15,7 @@ namespace relievo::gui {
 
 class LivePicture {
   public:
-    explicit LivePicture(Session& session);
+    LivePicture(Session& session, VkFormat format);  // format: the screen's
 
     const Picture& picture() const { return picture_; }
     PixelSize size() const { return picture_.size(); }
@@ -39,7 +39,10 @@ class LivePicture {
     void work(double budget_ms);
     bool idle() const;        // nothing is left to trace
 
+    bool take_changed();      // something new is to be seen since the last call
+
     int samples() const;
+    double progress() const;  // of the preview and the first sample together, [0, 1]
     int sample_limit() const { return sample_limit_; }
     void set_sample_limit(int limit);
     double trace_ms() const { return trace_ms_; }  // of the last whole-image pass, live window or moving frame
@@ -71,7 +74,7 @@ class LivePicture {
     double preview_ms_ = 1e-3, sample_ms_ = 3e-3;  // a pixel, as last measured
     double trace_ms_ = 0, pass_ms_ = 0;
     int next_row_ = 0;  // of the sample under way
-    bool in_stroke_ = false, live_due_ = false;
+    bool in_stroke_ = false, live_due_ = false, changed_ = false;
     std::vector<std::uint8_t> stale_;  // tiles of kTile x kTile pixels, row by row
     int tiles_x_ = 0, tiles_y_ = 0, stale_count_ = 0;
 };

@@ -34,15 +34,17 @@ constexpr VkImageLayout kTarget = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
 
 }  // namespace
 
-Picture::Picture(vulkan::Context& context) : context_(&context), commands_(context) {
+Picture::Picture(vulkan::Context& context, VkFormat format)
+    : context_(&context), format_(format), commands_(context) {
     resize({1, 1});
 }
 
 void Picture::resize(PixelSize size) {
     if (size == this->size()) return;
     vulkan::Image old = std::move(image_);
-    image_ = vulkan::Image(*context_, size.width, size.height, VK_FORMAT_R8G8B8A8_UNORM,
-                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    image_ = vulkan::Image(*context_, size.width, size.height, format_,
+                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+                               VK_IMAGE_USAGE_SAMPLED_BIT);  // for the view, which Image always makes
     commands_.run([&](VkCommandBuffer cmd) {
         image_.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, kTarget);
         if (old.width() > 1) {
@@ -62,28 +64,24 @@ void Picture::copy(const Renderer& renderer, const PixelRect& window) {
     commands_.run([&](VkCommandBuffer cmd) {
         record_layout(cmd, source, VK_IMAGE_LAYOUT_GENERAL, kSource);
         image_.transition(cmd, kSource, kTarget);
+        VkImageBlit blit = whole_to_whole({from.width, from.height}, size());
         if (size() == PixelSize{from.width, from.height}) {
-            VkImageCopy copy{};
-            copy.srcSubresource = copy.dstSubresource = kColor;
-            copy.srcOffset = copy.dstOffset = {window.x0, window.y0, 0};
-            copy.extent = {static_cast<std::uint32_t>(window.x1 - window.x0),
-                           static_cast<std::uint32_t>(window.y1 - window.y0), 1};
-            vkCmdCopyImage(cmd, source, kSource, image_.get(), kTarget, 1, &copy);
-        } else {
-            const VkImageBlit blit = whole_to_whole({from.width, from.height}, size());
-            vkCmdBlitImage(cmd, source, kSource, image_.get(), kTarget, 1, &blit, VK_FILTER_LINEAR);
+            blit.srcOffsets[0] = blit.dstOffsets[0] = {window.x0, window.y0, 0};
+            blit.srcOffsets[1] = blit.dstOffsets[1] = {window.x1, window.y1, 1};
         }
+        // A blit and not a copy: the canvas may hold its channels in another order.
+        vkCmdBlitImage(cmd, source, kSource, image_.get(), kTarget, 1, &blit, VK_FILTER_LINEAR);
         image_.transition(cmd, kTarget, kSource);
         record_layout(cmd, source, kSource, VK_IMAGE_LAYOUT_GENERAL);
     });
 }
 
 void Picture::record_copy(VkCommandBuffer cmd, VkImage to, int x, int y) const {
-    VkImageBlit blit = whole_to_whole(size(), size());
-    blit.dstOffsets[0] = {x, y, 0};
-    blit.dstOffsets[1] = {x + image_.width(), y + image_.height(), 1};
-    // A blit and not a copy: the canvas may hold its channels in another order.
-    vkCmdBlitImage(cmd, image_.get(), kSource, to, kTarget, 1, &blit, VK_FILTER_NEAREST);
+    VkImageCopy copy{};
+    copy.srcSubresource = copy.dstSubresource = kColor;
+    copy.dstOffset = {x, y, 0};
+    copy.extent = {static_cast<std::uint32_t>(image_.width()), static_cast<std::uint32_t>(image_.height()), 1};
+    vkCmdCopyImage(cmd, image_.get(), kSource, to, kTarget, 1, &copy);
 }
 
 }  // namespace relievo::gui

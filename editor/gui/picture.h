@@ -11,7 +11,8 @@ namespace relievo::gui {
 
 class Picture {
   public:
-    explicit Picture(vulkan::Context& context);
+    // `format`: the canvas's, so that frames copy bytes.
+    Picture(vulkan::Context& context, VkFormat format);
 
     PixelSize size() const { return {image_.width(), image_.height()}; }
     // What was shown is stretched to the new size until something new is copied.
@@ -23,6 +24,7 @@ class Picture {
 
   private:
     vulkan::Context* context_;
+    VkFormat format_;
     vulkan::Commands commands_;
     vulkan::Image image_;  // in layout TRANSFER_SRC_OPTIMAL between calls
 };

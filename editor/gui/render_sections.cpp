@@ -21,6 +21,11 @@ std::vector<double> three(const float (&v)[3]) {
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
+std::string readable(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
 // The sun's place in the sky, as seen from the camera's up vector: degrees.
 struct SunPlace {
     float azimuth, elevation;
@@ -89,17 +94,17 @@ void draw_method_section(Desk& desk) {
     method_combo(desk);
     const auto values = resolve_parameters(method, choice.parameters);
     for (const MethodParameter& parameter : method.parameters) {
-        const std::string name(parameter.name), key = "method." + name;
+        const std::string name(parameter.name), key = "method." + name, label = readable(name);
         if (parameter.is_switch) {
             bool on = values.at(name) != 0;
-            if (switch_row(name, on, parameter.tooltip)) desk.set(key, on ? 1.0 : 0.0);
+            if (switch_row(label, on, parameter.tooltip)) desk.set(key, on ? 1.0 : 0.0);
             continue;
         }
         auto value = static_cast<float>(values.at(name));
         const bool decades = parameter.low > 0 && parameter.high / parameter.low > 50;
         const Range range{static_cast<float>(parameter.low), static_cast<float>(parameter.high), decades,
                           decades ? "%.5f" : "%.3f"};
-        if (slider_row(name, value, range, parameter.tooltip, parameter.unit))
+        if (slider_row(label, value, range, parameter.tooltip, parameter.unit))
             desk.set(key, std::clamp(static_cast<double>(value), parameter.low, parameter.high));
     }
     text_row("Limits", method.limits.substr(0, method.limits.find(": ")));
@@ -141,10 +146,9 @@ void draw_render_section(Desk& desk) {
     }
     tooltip("Pixels that are traced, each way. Fewer are faster on a slow device.", "Resolution");
     row_label("Samples");
-    int limit = live.sample_limit();
-    if (ImGui::SliderInt("##limit", &limit, 1, 4096, "%d a pixel",
-                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
-        live.set_sample_limit(limit);
+    auto limit = static_cast<float>(live.sample_limit());
+    if (bar_slider("##limit", limit, {1, 4096, true}, "%.0f a pixel"))
+        live.set_sample_limit(static_cast<int>(std::lround(limit)));
     tooltip("The picture refines up to so many samples, then rests.", "Samples");
     const vulkan::DeviceInfo& device = desk.session.context().info();
     text_row("Device", device.name);

@@ -125,7 +125,11 @@ void Screen::end(const Picture* picture, int x, int y) {
     canvas_.record(
         commands_,
         [&](VkCommandBuffer cmd) {
-            if (picture) picture->record_copy(cmd, canvas_.image(), x, y);
+            if (picture) {
+                picture->record_copy(cmd, canvas_.image(), x, y);
+            } else {
+                canvas_.record_clear(cmd);
+            }
         },
         [](VkCommandBuffer cmd) { ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), cmd); });
     show();

@@ -18,10 +18,11 @@ class Screen {
     // Interface code goes between begin and end. begin() is false while the window has no area: draw nothing
     // then and do not call end().
     bool begin();
-    // Shows `picture` (may be null) with its corner at (x, y), the interface above it.
+    // Shows `picture` with its corner at (x, y), and the interface, which covers the rest; or the interface alone.
     void end(const Picture* picture, int x, int y);
 
     PixelSize size() const { return canvas_.size(); }
+    VkFormat format() const { return canvas_.format(); }
     DisplayPicture screenshot() { return canvas_.read_back(); }  // of the last end()
 
   private:

@@ -60,7 +60,8 @@ void draw_right(const Box& box, std::initializer_list<Item> items) {
 }
 
 Item progress_item(const Desk& desk) {
-    if (desk.live.samples() == 0) return {"preview", "Free of noise; samples follow."};
+    if (desk.live.samples() == 0)
+        return {formatted("preview %.0f%%", 100 * desk.live.progress()), "Free of noise; samples follow."};
     return {formatted("%d / %d samples", desk.live.samples(), desk.live.sample_limit()),
             "Samples a pixel so far, and where the picture rests."};
 }

@@ -63,12 +63,12 @@ void set_colours(ImVec4* c) {
     c[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(kTextDim);
     c[ImGuiCol_WindowBg] = ImGui::ColorConvertU32ToFloat4(kPanel);
     c[ImGuiCol_ChildBg] = grey(0, 0);
-    c[ImGuiCol_PopupBg] = grey(0.125f, 0.98f);
-    c[ImGuiCol_Border] = grey(0.09f);
+    c[ImGuiCol_PopupBg] = grey(0.135f, 0.99f);
+    c[ImGuiCol_Border] = grey(0.27f);
     c[ImGuiCol_FrameBg] = grey(0.105f);
     c[ImGuiCol_FrameBgHovered] = grey(0.13f);
     c[ImGuiCol_FrameBgActive] = grey(0.15f);
-    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = grey(0.105f);
+    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = grey(0.18f);
     c[ImGuiCol_ScrollbarBg] = grey(0, 0);
     c[ImGuiCol_ScrollbarGrab] = grey(0.26f);
     c[ImGuiCol_ScrollbarGrabHovered] = grey(0.32f);

@@ -7,6 +7,8 @@ namespace relievo::gui {
 
 constexpr ImU32 kAccent = IM_COL32(238, 146, 74, 255);
 constexpr ImU32 kAccentDim = IM_COL32(238, 146, 74, 90);
+constexpr ImU32 kBar = IM_COL32(150, 98, 58, 255);
+constexpr ImU32 kBarHot = IM_COL32(174, 112, 64, 255);
 constexpr ImU32 kRing = IM_COL32(245, 246, 248, 235);
 constexpr ImU32 kRingShadow = IM_COL32(0, 0, 0, 130);
 constexpr ImU32 kText = IM_COL32(222, 224, 228, 255);

@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "editor/gui/theme.h"
@@ -10,7 +12,7 @@
 namespace relievo::gui {
 namespace {
 
-constexpr float kLabelShare = 0.36f;  // of the row
+constexpr float kLabelShare = 0.38f;  // of the row
 
 std::string hidden_label(std::string_view label) {
     return "##" + std::string(label);
@@ -39,20 +41,45 @@ void row_label(std::string_view label) {
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::PushClipRect(at, {at.x + width * kLabelShare - points(4), at.y + ImGui::GetFrameHeight()}, true);
     ImGui::TextUnformatted(label.data(), label.data() + label.size());
+    ImGui::PopClipRect();
     ImGui::PopStyleColor();
     ImGui::SameLine(start + width * kLabelShare);
     ImGui::SetNextItemWidth(-1);
 }
 
+bool bar_slider(const char* label, float& value, const Range& range, const char* format) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::CalcItemWidth(), height = ImGui::GetFrameHeight();
+    const bool logs = range.logarithmic && range.low > 0 && value > 0;
+    const float share = logs ? std::log(value / range.low) / std::log(range.high / range.low)
+                             : (value - range.low) / (range.high - range.low);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 high(low.x + width, low.y + height);
+    const bool hot = ImGui::IsMouseHoveringRect(low, high);
+    list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), ImGui::GetStyle().FrameRounding);
+    const float filled = low.x + width * std::clamp(share, 0.0f, 1.0f);
+    list.PushClipRect(low, {filled, high.y}, true);
+    list.AddRectFilled(low, high, hot ? kBarHot : kBar, ImGui::GetStyle().FrameRounding);
+    list.PopClipRect();
+    // Dear ImGui's slider with nothing of its own but the number.
+    for (const ImGuiCol part : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
+                                ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
+        ImGui::PushStyleColor(part, 0);
+    const bool changed =
+        ImGui::SliderFloat(label, &value, range.low, range.high, format,
+                           ImGuiSliderFlags_AlwaysClamp | (range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+    ImGui::PopStyleColor(5);
+    return changed;
+}
+
 bool slider_row(std::string_view label, float& value, const Range& range, std::string_view text,
                 std::string_view unit) {
     row_label(label);
-    const ImGuiSliderFlags flags =
-        ImGuiSliderFlags_AlwaysClamp | (range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     const std::string format = std::string(range.format) + (unit.empty() ? "" : " ") + std::string(unit);
-    const bool changed = ImGui::SliderFloat(hidden_label(label).c_str(), &value, range.low, range.high,
-                                            format.c_str(), flags);
+    const bool changed = bar_slider(hidden_label(label).c_str(), value, range, format.c_str());
     tooltip(std::string(text) + "\nCtrl+click to type a value.", label);
     return changed;
 }
@@ -85,6 +112,16 @@ bool section(const char* title) {
     const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopStyleVar();
     ImGui::PopFont();
+    return open;
+}
+
+bool begin_modal(const char* title, bool* keep) {
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(points(18), points(14)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, points(6));
+    const bool open = ImGui::BeginPopupModal(
+        title, keep, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar(2);
     return open;
 }
 

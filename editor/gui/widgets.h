@@ -13,6 +13,9 @@ struct Range {
     const char* format = "%.3f";
 };
 
+// A bar filled up to the value, with the number on it; as wide as the item width. Ctrl+click types a value.
+bool bar_slider(const char* label, float& value, const Range& range, const char* format);
+
 // Each returns true when the user changed the value. `unit` and `tooltip` may be empty.
 bool slider_row(std::string_view label, float& value, const Range& range, std::string_view tooltip,
                 std::string_view unit = {});
@@ -28,6 +31,10 @@ bool push_button(const char* label, bool enabled, std::string_view tooltip);
 
 // Over the last item.
 void tooltip(std::string_view text, std::string_view title = {});
+
+// A dialog in the window's middle, as wide as set before; pair with ImGui::EndPopup() where it returns true. `keep`,
+// where given, becomes false when the user closes it.
+bool begin_modal(const char* title, bool* keep);
 
 // Puts the cursor where a control of the row begins, after drawing its label.
 void row_label(std::string_view label);

@@ -53,8 +53,15 @@ struct WindowCallbacks {
         if (ui_listens()) ImGui_ImplGlfw_ScrollCallback(handle, x, y);
     }
     static void key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
-        if (action != GLFW_RELEASE) window_of(handle).add({InputEvent::Kind::key, 0, 0, 0, key, mods});
-        if (ui_listens()) ImGui_ImplGlfw_KeyCallback(handle, key, scancode, action, mods);
+        Window& window = window_of(handle);
+        if (action != GLFW_RELEASE) window.add({InputEvent::Kind::key, 0, 0, 0, key, mods});
+        if (action == GLFW_PRESS) window.pressed_.push_back(key);
+        const auto& pressed = window.pressed_;
+        if (action == GLFW_RELEASE && std::find(pressed.begin(), pressed.end(), key) != pressed.end()) {
+            window.held_releases_.push_back({key, scancode, mods});
+        } else if (ui_listens()) {
+            ImGui_ImplGlfw_KeyCallback(handle, key, scancode, action, mods);
+        }
     }
     static void character(GLFWwindow* handle, unsigned int code) {
         if (ui_listens()) ImGui_ImplGlfw_CharCallback(handle, code);
@@ -130,11 +137,20 @@ void Window::set_title(const std::string& title) {
 }
 
 void Window::poll() {
+    forward_releases();
     glfwPollEvents();
 }
 
 void Window::wait(double seconds) {
+    forward_releases();
     glfwWaitEventsTimeout(seconds);
+}
+
+void Window::forward_releases() {
+    for (const KeyRelease& key : held_releases_)
+        if (ui_listens()) ImGui_ImplGlfw_KeyCallback(handle_, key.key, key.scancode, GLFW_RELEASE, key.mods);
+    held_releases_.clear();
+    pressed_.clear();
 }
 
 bool Window::close_wanted() const {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -53,7 +54,15 @@ class Window {
     void add(InputEvent event);
 
     GLFWwindow* handle_ = nullptr;
+    struct KeyRelease {
+        int key, scancode, mods;
+    };
+    void forward_releases();
+
     std::deque<InputEvent> events_;
+    // Dear ImGui 1.86 looks at keys once a frame: a key that went down and up in between must be seen down.
+    std::vector<int> pressed_;               // since the last poll
+    std::vector<KeyRelease> held_releases_;  // given to Dear ImGui at the next poll
     std::uint64_t start_us_ = 0;
     double x_ = 0, y_ = 0;  // window coordinates
     double pixels_per_unit_ = 1;
