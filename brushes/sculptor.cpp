@@ -103,6 +103,9 @@ std::vector<TexelRect> Sculptor::redo() {
     return merge_rects(state_->undo.redo(state_->map));
 }
 
+std::uint64_t Sculptor::steps_made() const {
+    return state_->undo.pushed();
+}
 std::size_t Sculptor::undo_bytes() const {
     return state_->undo.bytes();
 }

@@ -34,6 +34,7 @@ void UndoStack::push(const StrokeTiles& stroke, const HeightMap& map) {
 
     for (const Step& dropped : redo_) bytes_ -= dropped.bytes;
     redo_.clear();
+    ++pushed_;
     bytes_ += step.bytes;
     undo_.push_back(std::move(step));
     while (bytes_ > budget_) {

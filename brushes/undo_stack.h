@@ -26,6 +26,7 @@ class UndoStack {
     std::vector<TexelRect> undo(HeightMap& map) { return move_step(undo_, redo_, map); }
     std::vector<TexelRect> redo(HeightMap& map) { return move_step(redo_, undo_, map); }
 
+    std::uint64_t pushed() const { return pushed_; }  // steps ever taken, dropped ones included
     std::size_t bytes() const { return bytes_; }
     std::size_t budget() const { return budget_; }
 
@@ -40,6 +41,7 @@ class UndoStack {
     };
     static std::vector<TexelRect> move_step(std::deque<Step>& from, std::deque<Step>& to, HeightMap& map);
 
+    std::uint64_t pushed_ = 0;
     std::size_t budget_, bytes_ = 0;
     std::deque<Step> undo_, redo_;  // newest last
 };

@@ -12,6 +12,7 @@
 #include "editor/session/settings.h"
 #include "editor/session/steps.h"
 #include "editor/session/surface/mesh_surface.h"
+#include "renderer/methods/registry.h"
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -32,10 +33,18 @@ LoadedMap open_map(const Displacement& displacement, const fs::path& path) {
     return {HeightMap(displacement.map_size, displacement.map_size, flat), range, MapFormat::tiff16, nullptr};
 }
 
+// The scene with the method that was asked for in place of its own, checked here because not every session
+// renders.
 Scene open_scene(const fs::path& path, const SessionOptions& options) {
     Scene scene = load_scene(path);
+    try {
+        resolve_parameters(find_method(scene.method.name), scene.method.parameters);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(path.string() + ": method: " + error.what());
+    }
     if (!options.method.empty() && options.method != scene.method.name) scene.method = {options.method, {}};
     for (const auto& [name, value] : options.parameters) scene.method.parameters[name] = value;
+    resolve_parameters(find_method(scene.method.name), scene.method.parameters);
     return scene;
 }
 
@@ -84,15 +93,16 @@ struct Session::State {
         if (sculptor.in_stroke()) throw std::logic_error("end the stroke first");
     }
 
-    // Runs one edit of the map and shows what it changed. True when it changed something.
-    template <typename Edit>
-    bool apply(Edit edit) {
+    // Runs one edit of the map, books it, then shows it: what happened to the map is recorded even if the
+    // device fails to show it.
+    template <typename Edit, typename Book>
+    void apply(Edit edit, Book book) {
         const auto start = Clock::now();
         const std::vector<TexelRect> rects = edit();
         times = {};
         times.edit_ms = milliseconds_since(start);
+        book();
         if (view) view->upload(file.map, rects, times);
-        return !rects.empty();
     }
 
     void restart_image() {
@@ -112,7 +122,6 @@ struct Session::State {
     Steps steps;
     Brush brush;
     StrokeOp stroke;  // under way
-    bool stroke_changed = false;
     std::optional<Touched> touched;
     StageTimes times;
 };
@@ -166,14 +175,12 @@ void Session::begin_stroke() {
     check_brush(s.brush);
     s.sculptor.begin(s.brush);
     s.stroke = {s.brush, {}};
-    s.stroke_changed = false;
     s.touched.reset();
 }
 
 void Session::dab(const Dab& dab) {
     State& s = *state_;
-    s.stroke_changed |= s.apply([&] { return s.sculptor.dab(dab); });
-    s.stroke.dabs.push_back(dab);
+    s.apply([&] { return s.sculptor.dab(dab); }, [&] { s.stroke.dabs.push_back(dab); });
     constexpr auto kOne = static_cast<float>(Dab::kBarycentricOne);
     s.touched = Touched{
         s.surface.at(dab.face, static_cast<float>(dab.b1) / kOne, static_cast<float>(dab.b2) / kOne).position,
@@ -183,16 +190,19 @@ void Session::dab(const Dab& dab) {
 void Session::end_stroke() {
     State& s = *state_;
     if (s.stroke.dabs.empty()) return cancel_stroke();
-    s.stroke_changed |= s.apply([&] { return s.sculptor.end(); });
-    if (s.stroke_changed) s.steps.add();
-    s.recorder->record(s.stroke);
+    const std::uint64_t steps_before = s.sculptor.steps_made();
+    s.apply([&] { return s.sculptor.end(); },
+            [&] {
+                if (s.sculptor.steps_made() > steps_before) s.steps.add();
+                s.recorder->record(s.stroke);
+            });
     s.restart_image();
 }
 
 void Session::cancel_stroke() {
     State& s = *state_;
-    s.apply([&] { return s.sculptor.cancel(); });
-    if (s.stroke_changed) s.restart_image();
+    s.apply([&] { return s.sculptor.cancel(); }, [] {});
+    if (!s.stroke.dabs.empty()) s.restart_image();
 }
 
 bool Session::in_stroke() const {
@@ -202,12 +212,12 @@ bool Session::in_stroke() const {
 bool Session::undo() {
     State& s = *state_;
     s.require_no_stroke();
-    // A stroke that changed nothing is not a step for the user, whether the sculptor keeps it or not.
-    bool changed = false;
-    while (!changed && s.sculptor.can_undo()) changed = s.apply([&] { return s.sculptor.undo(); });
-    if (!changed) return false;
-    s.steps.undo();
-    s.recorder->record(UndoOp{});
+    if (!s.sculptor.can_undo()) return false;
+    s.apply([&] { return s.sculptor.undo(); },
+            [&] {
+                s.steps.undo();
+                s.recorder->record(UndoOp{});
+            });
     s.restart_image();
     return true;
 }
@@ -215,11 +225,12 @@ bool Session::undo() {
 bool Session::redo() {
     State& s = *state_;
     s.require_no_stroke();
-    bool changed = false;
-    while (!changed && s.sculptor.can_redo()) changed = s.apply([&] { return s.sculptor.redo(); });
-    if (!changed) return false;
-    s.steps.redo();
-    s.recorder->record(RedoOp{});
+    if (!s.sculptor.can_redo()) return false;
+    s.apply([&] { return s.sculptor.redo(); },
+            [&] {
+                s.steps.redo();
+                s.recorder->record(RedoOp{});
+            });
     s.restart_image();
     return true;
 }

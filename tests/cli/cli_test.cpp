@@ -93,6 +93,9 @@ TEST_F(Program, BadScenesAreRefusedWithoutADevice) {
     change_scene("0.2", "\"big\"");
     replaying("displacement.amplitude");
     change_scene("\"big\"", "0.2");
+    change_scene("\"image\"", "\"method\": {\"name\": \"pdm\", \"dt\": -1}, \"image\"");
+    replaying("scene.json: method: method parameter 'dt' is -1");
+    change_scene("\"dt\": -1", "\"dt\": 0.01");
     change_scene("map.tif", "none.tif");
     replaying("none.tif");
     change_scene("none.tif", "map.tif");

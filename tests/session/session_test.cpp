@@ -198,6 +198,31 @@ TEST(Session, AStrokeWithoutDabsOrWithNoEffectIsNoStep) {
     EXPECT_FALSE(session.undo());
 }
 
+TEST(Session, AStrokeThatTakesBackItselfIsNoStep) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path(), true), headless());
+    session.brush().tool = Tool::level;
+    session.brush().level = 0.5f;  // what the flat map holds already
+    session.begin_stroke();
+    session.dab(Dab{});
+    session.end_stroke();
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_FALSE(session.can_undo());
+}
+
+TEST(Session, StepsDroppedForMemoryStayUnsaved) {
+    const TemporaryFolder folder;
+    SessionOptions options = headless();
+    options.undo_budget = 1;
+    Session session(write_scene(folder.path()), options);
+    sculpt(session, 1);
+    EXPECT_FALSE(session.can_undo());
+    EXPECT_TRUE(session.unsaved());
+    const auto sculpted = texels(session);
+    EXPECT_FALSE(session.revert());
+    EXPECT_EQ(texels(session), sculpted);
+}
+
 TEST(Session, CommandsInsideAStrokeAreRefused) {
     const TemporaryFolder folder;
     Session session(write_scene(folder.path()), headless());
