@@ -87,7 +87,7 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> cont
     const bool replaces = ::stat(target.c_str(), &old) == 0;
     if (replaces && S_ISDIR(old.st_mode)) fail(path, "it is a folder; a file name is needed");
     if (replaces && !S_ISREG(old.st_mode)) fail(path, "it is no regular file");
-    if (replaces && ::access(target.c_str(), W_OK) != 0) fail_errno(path, errno);
+    if (replaces && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail_errno(path, errno);
 
     std::string name = (folder / ".").string() + target.filename().string() + ".XXXXXX";
     Descriptor fd(::mkostemp(name.data(), O_CLOEXEC));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <span>
 #include <string_view>
@@ -43,29 +44,30 @@ bool read_exactly(std::istream& file, std::span<unsigned char> bytes) {
 
 }  // namespace
 
-std::string png_damage(const fs::path& path) {
+PngCheck check_png(const fs::path& path) {
     std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
     std::ifstream file(path, std::ios::binary);
     std::array<unsigned char, 8> magic{};
-    if (error || !read_exactly(file, magic) ||
-        !std::equal(magic.begin(), magic.end(), kPngMagic.begin(),
-                    [](auto a, char b) { return a == static_cast<unsigned char>(b); }))
+    if (error || !read_exactly(file, magic) || std::memcmp(magic.data(), kPngMagic.data(), magic.size()) != 0)
         return {};
 
+    PngCheck check;
     std::uintmax_t position = magic.size();
     std::vector<unsigned char> chunk;  // type, body, checksum
     for (;;) {
         std::array<unsigned char, 4> length_bytes;
-        if (!read_exactly(file, length_bytes)) return "the file ends before its end mark";
+        if (!read_exactly(file, length_bytes)) return {"the file ends before its end mark"};
         const std::size_t length = big_endian(length_bytes);
         position += 12 + length;
-        if (position > size) return "the file ends inside a chunk";
+        if (position > size) return {"the file ends inside a chunk"};
         chunk.resize(8 + length);
-        if (!read_exactly(file, chunk)) return "the file ends inside a chunk";
+        if (!read_exactly(file, chunk)) return {"the file ends inside a chunk"};
         const std::span<const unsigned char> all(chunk);
-        if (crc_of(all.first(4 + length)) != big_endian(all.last(4))) return "a chunk has a wrong checksum";
-        if (std::string_view(reinterpret_cast<const char*>(chunk.data()), 4) == "IEND") return {};
+        if (crc_of(all.first(4 + length)) != big_endian(all.last(4))) return {"a chunk has a wrong checksum"};
+        const std::string_view type(reinterpret_cast<const char*>(chunk.data()), 4);
+        if (type == "sRGB" || type == "gAMA" || type == "iCCP" || type == "cICP") check.states_colour = true;
+        if (type == "IEND") return check;
     }
 }
 

@@ -1,4 +1,5 @@
-// Finds damage in PNG files before libpng does, which prints to the terminal by itself. Private to loading.
+// What OpenImageIO does not tell of a PNG: damage (libpng prints to the terminal by itself, so this looks
+// first) and whether the file states its colour space. Private to loading.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +7,13 @@
 
 namespace relievo {
 
-// What is wrong with a PNG (a chunk cut off, or with a wrong checksum) in a few words; empty for a whole file
-// and for every other format.
-std::string png_damage(const std::filesystem::path& path);
+struct PngCheck {
+    std::string damage;  // a chunk cut off or with a wrong checksum, in a few words; empty for a whole file
+    bool states_colour =
+        false;  // has a chunk about colour space or gamma (OpenImageIO makes one up where it has not)
+};
+
+// Finds nothing in files of other formats.
+PngCheck check_png(const std::filesystem::path& path);
 
 }  // namespace relievo

@@ -25,12 +25,13 @@ std::string library_error(std::string text) {
     return text.empty() ? "not a readable image" : text;
 }
 
-void check_file(const fs::path& path) {
+PngCheck check_file(const fs::path& path) {
     std::error_code error;
     if (!fs::exists(path, error)) fail(path, "no such file");
     if (!fs::is_regular_file(path, error)) fail(path, "not a file");
-    const std::string damage = png_damage(path);
-    if (!damage.empty()) fail(path, "cut off or damaged: " + damage);
+    const PngCheck check = check_png(path);
+    if (!check.damage.empty()) fail(path, "cut off or damaged: " + check.damage);
+    return check;
 }
 
 std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
@@ -143,13 +144,15 @@ bool is_float(MapFormat format) {
 LoadedMap load_map(const fs::path& path, MapRange range) {
     if (!(range.low < range.high) || !std::isfinite(range.high - range.low))
         fail(path, "the range's low must be below its high, both finite");
-    check_file(path);
+    const PngCheck check = check_file(path);
     const auto image = open_image(path);
     check_spec(path, *image);
     auto origin = std::make_shared<MapOrigin>();
     origin->format = format_in(path, *image);
     origin->range = range;
     origin->spec = image->spec();
+    if (origin->format == MapFormat::png16 && !check.states_colour)
+        origin->spec.erase_attribute("oiio:ColorSpace");
 
     // Integer files are read as 16 bits (which widens 8 bits by 257), EXR channels as they are.
     if (!is_float(origin->format)) {

@@ -38,7 +38,8 @@ class Sculptor {
     bool can_redo() const;
     std::vector<TexelRect> undo();  // nothing to undo: empty
     std::vector<TexelRect> redo();
-    std::uint64_t steps_made() const;  // strokes so far that changed texels, whether their step is still held or not
+    std::uint64_t steps_made()
+        const;  // strokes so far that changed texels, whether their step is still held or not
     std::size_t undo_bytes() const;  // held by undo and redo tiles now
     std::size_t undo_budget() const;
 

@@ -29,8 +29,9 @@ struct SeamCopy {
     std::uint32_t source;  // texel index, owned by a triangle
 };
 
-// One equation "height on side A = height on side B" at a point of a slanted or scaled seam:
-// the sum of weight * texel over the terms must be 0 (four bilinear taps a side, B's weights negative).
+// One equation "height on side A = height on side B" at a point of a slanted or scaled seam (every pair of
+// bilinear cells that the seam runs through needs one, and every half texel of the finer side): the sum of
+// weight * texel over the terms must be 0 (four bilinear taps a side, B's weights negative).
 struct SeamEquation {
     std::uint32_t texel[8];
     float weight[8];

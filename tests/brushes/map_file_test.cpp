@@ -211,6 +211,32 @@ TEST(MapFile, metadata_is_kept) {
     }
 }
 
+std::vector<std::string> png_chunks(const fs::path& path) {
+    const std::string bytes = bytes_of(path);
+    std::vector<std::string> types;
+    for (std::size_t at = 8; at + 12 <= bytes.size();) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = length * 256 + static_cast<unsigned char>(bytes[at + i]);
+        types.push_back(bytes.substr(at + 4, 4));
+        at += 12 + length;
+    }
+    return types;
+}
+
+TEST(MapFile, png_gains_and_loses_no_colour_space) {
+    const TestFolder folder;
+    const std::vector<std::uint16_t> pixels(64, 1000);
+    for (const std::string space : {"", "sRGB", "Linear"}) {
+        OIIO::ImageSpec spec(8, 8, 1, OIIO::TypeDesc::UINT16);
+        if (!space.empty()) spec.attribute("oiio:ColorSpace", space);
+        write_image(folder / "m.png", spec, pixels.data());
+        const auto before = png_chunks(folder / "m.png");
+        const LoadedMap loaded = load_map(folder / "m.png");
+        save_map(loaded.map, folder / "m.png", loaded.format, {}, loaded.origin.get());
+        EXPECT_EQ(png_chunks(folder / "m.png"), before) << space;
+    }
+}
+
 TEST(MapFile, lossy_and_tiled_files_are_saved_lossless) {
     const TestFolder folder;
     std::vector<float> values(128 * 128);
