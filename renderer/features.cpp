@@ -34,6 +34,7 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.sky = all || any_sky(scene);
     f.mended_creases = request.has_creases && request.method->geometry == GeometryKind::parallel_prisms;
     f.pyramid = request.method->needs_pyramid;
+    f.true_shell = request.method->geometry == GeometryKind::surface_bounds;
     f.by_pipeline = request.by_pipeline;
     return f;
 }

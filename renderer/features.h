@@ -30,6 +30,7 @@ struct Features {
     bool sky = false;            // light of the sky
     bool mended_creases = false; // triangles inserted along folded edges (paper 002, section 5.4)
     bool pyramid = false;        // min-max pyramid of the map on the device
+    bool true_shell = false;     // boxes and clipping hold S itself, not only the parallel prism's surface
     bool by_pipeline = false;    // ray tracing pipeline in the ray query's stead
 };
 

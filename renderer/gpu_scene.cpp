@@ -67,7 +67,7 @@ VkBufferImageCopy image_copy(const TexelRegion& r, VkDeviceSize offset) {
 
 GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const Scene& scene,
                    std::span<const HeightView> maps, const Features& features, const std::vector<Mesh>& meshes)
-    : context_(context), commands_(commands) {
+    : context_(context), commands_(commands), meets_surface_(features.true_shell) {
     std::vector<gpu::Primitive> primitives;
     objects_.reserve(scene.objects.size());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -123,7 +123,7 @@ void GpuScene::add_object(const SceneObject& description, const HeightView& map,
         auto p = make_primitive(object.mesh, face, index, {map.width, map.height}, clamp);
         if (!p) continue;
         flag_open_edges(object.mesh, face, uses, *p);
-        set_heights(*p, range_of(object, face));
+        set_bounds(object, face, *p);
         primitives.push_back(*p);
     }
     object.map = vulkan::Image(context_, map.width, map.height, VK_FORMAT_R16_UNORM, kTexture);
@@ -138,6 +138,22 @@ void GpuScene::add_object(const SceneObject& description, const HeightView& map,
         upload_texels(object, map, std::span(&band, 1));
     }
     load_opacity(description, object, features.opacity);
+    load_pyramid(object, map, features.pyramid);
+}
+
+void GpuScene::load_pyramid(Object& object, const HeightView& map, bool wanted) {
+    // One node stands in where no method asks: descriptors need an image.
+    const HeightView none{1, 1, map.texels};
+    object.pyramid = std::make_unique<HeightPyramid>(wanted ? map : none, object.wrap);
+    const HeightPyramid& pyramid = *object.pyramid;
+    object.pyramid_image = vulkan::Image(context_, pyramid.width(1), pyramid.height(1), VK_FORMAT_R16G16_UNORM, kTexture,
+                                         pyramid.levels());
+    commands_.run([&](VkCommandBuffer cmd) {
+        object.pyramid_image.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
+    for (int level = 1; level <= pyramid.levels(); ++level)
+        upload_pyramid(object, {{level, 0, 0, pyramid.width(level), pyramid.height(level)}});
+    if (!wanted) object.pyramid.reset();
 }
 
 void GpuScene::load_opacity(const SceneObject& description, Object& object, bool wanted) {
@@ -156,6 +172,34 @@ void GpuScene::load_opacity(const SceneObject& description, Object& object, bool
                                &copy);
         object.opacity.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                   VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
+}
+
+void GpuScene::set_bounds(const Object& object, std::uint32_t face, gpu::Primitive& primitive) const {
+    set_heights(primitive, range_of(object, face));
+    if (meets_surface_) set_shell_margin(primitive);
+}
+
+// The changed nodes, level by level, into the mips of the pyramid's image.
+void GpuScene::upload_pyramid(Object& object, const std::vector<HeightPyramid::Nodes>& changed) {
+    std::vector<VkBufferImageCopy> copies;
+    std::vector<HeightPyramid::Node> nodes;
+    for (const HeightPyramid::Nodes& n : changed) {
+        copies.push_back(image_copy({n.x0, n.y0, n.x1, n.y1}, nodes.size() * sizeof(HeightPyramid::Node)));
+        copies.back().imageSubresource.mipLevel = static_cast<std::uint32_t>(n.level - 1);
+        for (int y = n.y0; y < n.y1; ++y)
+            for (int x = n.x0; x < n.x1; ++x) nodes.push_back(object.pyramid->overlapping(n.level, x, y));
+    }
+    const std::size_t bytes = nodes.size() * sizeof(HeightPyramid::Node);
+    if (staging_.bytes() < bytes)
+        staging_ = vulkan::Buffer(context_, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Access::host);
+    std::memcpy(staging_.mapped(), nodes.data(), bytes);
+    commands_.run([&](VkCommandBuffer cmd) {
+        const vulkan::Image& image = object.pyramid_image;
+        image.transition(cmd, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        vkCmdCopyBufferToImage(cmd, staging_.get(), image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                               static_cast<std::uint32_t>(copies.size()), copies.data());
+        image.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
 }
 
@@ -194,6 +238,8 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     Object& object = objects_[index];
     Stopwatch watch;
     upload_texels(object, map, regions);
+    if (object.pyramid)
+        for (const TexelRegion& r : regions) upload_pyramid(object, object.pyramid->update(map, r));
     stats.copy_ms = watch.lap_ms();
 
     object.bounds->move(map.texels);
@@ -212,11 +258,12 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
         ++stats.triangles_touched;
         gpu::Primitive& p = primitives_.as<gpu::Primitive>()[i];
         gpu::Primitive fresh = p;
-        set_heights(fresh, range_of(object, face));
+        set_bounds(object, face, fresh);
         // Bounds that shrank stay: they are still true, and the box need not move.
         if (fresh.w_low >= p.w_low && fresh.w_high <= p.w_high) continue;
         const float low = std::min(p.w_low, fresh.w_low), high = std::max(p.w_high, fresh.w_high);
         extend_heights(p, low, high);
+        if (meets_surface_) set_shell_margin(p);
         write_box(i);
         ++stats.triangles_grown;
         grown = true;
@@ -242,7 +289,7 @@ void GpuScene::set_displacement(std::size_t index, double amplitude, double midl
     for (std::uint32_t face = 0; face < object.primitive_of.size(); ++face) {
         const std::uint32_t i = object.primitive_of[face];
         if (i == kNone) continue;
-        set_heights(primitives_.as<gpu::Primitive>()[i], range_of(object, face));
+        set_bounds(object, face, primitives_.as<gpu::Primitive>()[i]);
         write_box(i);
     }
     bvh_.refit(commands_);
@@ -270,9 +317,10 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
         VkDescriptorBufferInfo{primitives_.get(), 0, VK_WHOLE_SIZE},
         VkDescriptorBufferInfo{normals_.get(), 0, VK_WHOLE_SIZE},
         VkDescriptorBufferInfo{object_data_.get(), 0, VK_WHOLE_SIZE}};
-    std::vector<VkDescriptorImageInfo> maps, opacities;
+    std::vector<VkDescriptorImageInfo> maps, opacities, pyramids;
     for (const Object& o : objects_) {
         maps.push_back({o.map_sampler.get(), o.map.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        pyramids.push_back({o.map_sampler.get(), o.pyramid_image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
         opacities.push_back({o.opacity_sampler.get(), o.opacity.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
     }
     std::vector<VkWriteDescriptorSet> writes;
@@ -291,6 +339,7 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
     add(gpu::kBindObjects, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[2];
     add(gpu::kBindMaps, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, maps.size()).pImageInfo = maps.data();
     add(gpu::kBindOpacity, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, opacities.size()).pImageInfo = opacities.data();
+    add(gpu::kBindPyramids, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, pyramids.size()).pImageInfo = pyramids.data();
     vkUpdateDescriptorSets(context_.device(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
 }
 
@@ -301,6 +350,12 @@ std::uint64_t GpuScene::primitive_bytes() const {
 std::uint64_t GpuScene::map_bytes() const {
     std::uint64_t sum = 0;
     for (const Object& o : objects_) sum += o.map.bytes();
+    return sum;
+}
+
+std::uint64_t GpuScene::pyramid_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Object& o : objects_) sum += o.pyramid ? o.pyramid_image.bytes() : 0;
     return sum;
 }
 

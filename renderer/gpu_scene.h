@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/features.h"
+#include "renderer/height_pyramid.h"
 #include "renderer/primitives.h"
 #include "renderer/renderer.h"
 #include "renderer/scene/triangle_bounds.h"
@@ -30,6 +31,7 @@ class GpuScene {
     std::uint64_t primitive_bytes() const;
     std::uint64_t map_bytes() const;
     std::uint64_t opacity_bytes() const;
+    std::uint64_t pyramid_bytes() const;
 
   private:
     struct Object {
@@ -37,20 +39,25 @@ class GpuScene {
         std::vector<std::uint32_t> primitive_of; // traced face -> primitive; kNone for faces without area
         std::unique_ptr<HeightBounds> bounds;
         std::unique_ptr<TriangleLookup> lookup;
-        vulkan::Image map, opacity;
+        std::unique_ptr<HeightPyramid> pyramid;  // where the method bounds heights
+        vulkan::Image map, opacity, pyramid_image;
         vulkan::SamplerHandle map_sampler, opacity_sampler;
         Wrap wrap = Wrap::repeat;
         double amplitude = 0, midlevel = 0;
     };
     void add_object(const SceneObject& object, const HeightView& map, const Features& features,
                     std::vector<gpu::Primitive>& primitives);
+    void load_pyramid(Object& object, const HeightView& map, bool wanted);
     void load_opacity(const SceneObject& description, Object& object, bool wanted);
     void upload_texels(Object& object, const HeightView& map, std::span<const TexelRegion> regions);
+    void upload_pyramid(Object& object, const std::vector<HeightPyramid::Nodes>& changed);
+    void set_bounds(const Object& object, std::uint32_t face, gpu::Primitive& primitive) const;
     DisplacementRange range_of(const Object& object, std::uint32_t face) const;
     void write_box(std::uint32_t primitive);
 
     vulkan::Context& context_;
     vulkan::Commands& commands_;
+    bool meets_surface_ = false;  // the method meets S itself, not the parallel prism's surface
     std::vector<Object> objects_;
     vulkan::Buffer primitives_, normals_, object_data_, staging_;
     vulkan::BoxBvh bvh_;

@@ -134,6 +134,24 @@ void extend_heights(gpu::Primitive& p, float w_low, float w_high) {
     p.flags = (p.flags & ~gpu::kPrimitiveFolded) | (turns_over(p) ? gpu::kPrimitiveFolded : 0u);
 }
 
+void set_shell_margin(gpu::Primitive& p) {
+    // At height w the surface's lateral shift is sum b'_i shift_i, b'_i = b_i k_i / k(b), against the prism's
+    // sum b_i shift_i; |b'_i - b_i| <= b_i (largest k / least k - 1), and the shifts' differences count.
+    const std::array<glm::vec2, 3> shifts{p.shift0, p.shift1, p.shift2};
+    double least = 1, most = 0, apart = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double k = 1 / std::sqrt(1 + static_cast<double>(glm::dot(shifts[i], shifts[i])));
+        least = std::min(least, k);
+        most = std::max(most, k);
+        apart = std::max(apart, static_cast<double>(glm::length(shifts[i] - shifts[(i + 1) % 3])));
+    }
+    const double reach = std::max(std::abs(p.w_low), std::abs(p.w_high)) * (most / least - 1) * apart;
+    // In barycentrics of the smallest offset triangle: over its least altitude.
+    const double area = std::max(std::min(offset_area(p, p.w_low), offset_area(p, p.w_high)), 1e-3 * offset_area(p, 0));
+    const double edge = std::max<double>({p.q1x, glm::length(p.q2), glm::length(p.q2 - glm::vec2(p.q1x, 0))});
+    p.shell_margin = static_cast<float>(reach * (edge + 2 * reach) / area);
+}
+
 Box prism_box(const gpu::Primitive& p) {
     const glm::vec3 bitangent = glm::cross(p.ng, p.tangent);
     Box box{glm::vec3(1e30f), glm::vec3(-1e30f)};
@@ -144,7 +162,7 @@ Box prism_box(const gpu::Primitive& p) {
             box.high = glm::max(box.high, corner);
         }
     }
-    const glm::vec3 margin = (box.high - box.low) * 2e-5f + glm::max(glm::abs(box.low), glm::abs(box.high)) * 1e-6f;
+    const glm::vec3 margin = (box.high - box.low) * (2e-5f + 2 * p.shell_margin) + glm::max(glm::abs(box.low), glm::abs(box.high)) * 1e-6f;
     return {box.low - margin, box.high + margin};
 }
 

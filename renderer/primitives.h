@@ -35,10 +35,13 @@ gpu::PrimitiveNormals primitive_normals(const Mesh& mesh, std::uint32_t face);
 
 // Sets w_low, w_high and the folded flag so that the prism holds the surface. Conservative.
 void set_heights(gpu::Primitive& primitive, const DisplacementRange& range);
+// For methods that meet S itself: S is displaced along N(b), the parallel prism along sum b_i N_i/(N_i.Ng), and the two
+// differ by at most the shell margin. Call after every change of heights; 0 without it.
+void set_shell_margin(gpu::Primitive& primitive);
 // Sets the prism's ends directly (heights along ng) and the folded flag with them.
 void extend_heights(gpu::Primitive& primitive, float w_low, float w_high);
 
-// Box of the prism between w_low and w_high, a little larger than rounding needs.
+// Box of the prism between w_low and w_high, grown by its shell margin, a little larger than rounding needs.
 Box prism_box(const gpu::Primitive& primitive);
 
 // Order in which primitives are stored: recursive median split over the boxes' centres, because some drivers only

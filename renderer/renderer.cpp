@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "renderer/bindings.h"
 #include "renderer/features.h"
 #include "renderer/film.h"
 #include "renderer/gpu_scene.h"
@@ -25,53 +26,6 @@ namespace {
 
 constexpr std::size_t kPickBatch = 256;  // rays a dispatch
 constexpr double kLeastRayOffset = 1e-4;  // of an object's radius
-
-struct Binding {
-    std::uint32_t index;
-    VkDescriptorType type;
-};
-constexpr std::array kBindings{
-    Binding{gpu::kBindTlas, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR},
-    Binding{gpu::kBindFrame, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
-    Binding{gpu::kBindPrimitives, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-    Binding{gpu::kBindNormals, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-    Binding{gpu::kBindObjects, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-    Binding{gpu::kBindAccumulation, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-    Binding{gpu::kBindCounts, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-    Binding{gpu::kBindDisplay, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},
-    Binding{gpu::kBindAov, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-    Binding{gpu::kBindPickRays, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-    Binding{gpu::kBindPickResults, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-    Binding{gpu::kBindMaps, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
-    Binding{gpu::kBindOpacity, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
-};
-static_assert(kBindings.size() == gpu::kBindCount);
-
-std::uint32_t descriptor_count(const Binding& b, std::size_t objects) {
-    return b.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER ? static_cast<std::uint32_t>(objects) : 1u;
-}
-
-vulkan::SetLayoutHandle make_set_layout(const vulkan::Context& context, std::size_t objects) {
-    std::vector<VkDescriptorSetLayoutBinding> bindings;
-    for (const Binding& b : kBindings)
-        bindings.push_back({b.index, b.type, descriptor_count(b, objects), VK_SHADER_STAGE_ALL, nullptr});
-    VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, nullptr, 0,
-                                         static_cast<std::uint32_t>(bindings.size()), bindings.data()};
-    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-    vulkan::check(vkCreateDescriptorSetLayout(context.device(), &info, nullptr, &layout),
-                  "creating a descriptor set layout");
-    return {context.device(), layout};
-}
-
-vulkan::DescriptorPoolHandle make_pool(const vulkan::Context& context, std::size_t objects) {
-    std::vector<VkDescriptorPoolSize> sizes;
-    for (const Binding& b : kBindings) sizes.push_back({b.type, descriptor_count(b, objects)});
-    VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, nullptr, 0, 1,
-                                    static_cast<std::uint32_t>(sizes.size()), sizes.data()};
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-    vulkan::check(vkCreateDescriptorPool(context.device(), &info, nullptr, &pool), "creating a descriptor pool");
-    return {context.device(), pool};
-}
 
 bool decide_path(const vulkan::DeviceInfo& device, TracePath path) {
     if (path == TracePath::ray_query && !device.ray_query)
@@ -111,6 +65,7 @@ struct Renderer::State {
     VkDescriptorSet set = VK_NULL_HANDLE;
     vulkan::Passes passes;
     FeatureReport report;
+    std::vector<HeightView> maps;  // as last uploaded: another method may need other structures over them
     int samples = 0;
     bool aov_is_fresh = false, picked = false;
 
@@ -120,7 +75,8 @@ struct Renderer::State {
 
     gpu::FrameData& frame_data() { return *frame.as<gpu::FrameData>(); }
     PixelRect whole() const { return {0, 0, film.width(), film.height()}; }
-    void build(std::span<const HeightView> maps);
+    void build();
+    void build_scene();
     void make_set();
     void make_passes();
     void apply_parameters();
@@ -131,10 +87,14 @@ struct Renderer::State {
     void restart();
 };
 
-void Renderer::State::build(std::span<const HeightView> maps) {
-    request = {method, settings.everything, mended.any(), decide_path(context.info(), settings.path)};
+void Renderer::State::build_scene() {
     features = derive_features(scene, request);
     gpu_scene.emplace(context, commands, scene, maps, features, mended.traced(features.mended_creases));
+}
+
+void Renderer::State::build() {
+    request = {method, settings.everything, mended.any(), decide_path(context.info(), settings.path)};
+    build_scene();
     film = Film(context, commands, settings.width, settings.height);
     frame = vulkan::Buffer(context, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Access::host);
     pick_rays = vulkan::Buffer(context, kPickBatch * sizeof(gpu::PickRay), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
@@ -230,6 +190,7 @@ void Renderer::State::count_bytes() {
     for (Feature& f : report.features) {
         if (f.name == "base mesh prisms") f.bytes = gpu_scene->primitive_bytes();
         if (f.name == "displacement maps") f.bytes = gpu_scene->map_bytes();
+        if (f.name == "min-max pyramid") f.bytes = gpu_scene->pyramid_bytes();
         if (f.name == "opacity maps" && f.built) f.bytes = gpu_scene->opacity_bytes();
         if (f.name == "image") f.bytes = film.image_bytes();
         if (f.name == "layers" && film.has_aov()) {
@@ -252,13 +213,15 @@ Renderer::Renderer(vulkan::Context& context, const Scene& scene, std::span<const
     if (maps.size() != scene.objects.size()) throw std::logic_error("one map per object");
     check_size(context, settings.width, settings.height, "an image");
     for (const HeightView& map : maps) check_size(context, map.width, map.height, "a map");
-    state_->build(maps);
+    state_->maps.assign(maps.begin(), maps.end());
+    state_->build();
 }
 
 Renderer::~Renderer() { vkDeviceWaitIdle(state_->context.device()); }
 
 UploadStats Renderer::upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions) {
     state_->aov_is_fresh = false;
+    state_->maps[object] = map;
     return state_->gpu_scene->upload(object, map, regions);
 }
 
@@ -305,7 +268,8 @@ void Renderer::set_method(const std::string& name, const std::map<std::string, d
     if (&method != s.method) {
         s.method = &method;
         s.request.method = &method;
-        s.features = derive_features(s.scene, s.request);
+        s.build_scene();
+        s.gpu_scene->write_bindings(s.set);
         s.make_passes();
     }
     s.apply_parameters();

@@ -18,7 +18,8 @@ namespace vulkan {
 class Context;
 }
 
-// A displacement map as the renderer reads it; row 0 is v = 0. The caller keeps the texels alive during the call.
+// A displacement map as the renderer reads it; row 0 is v = 0. The caller keeps the texels of the last upload alive
+// as long as the renderer: height bounds, and structures that another method needs, are made from them.
 struct HeightView {
     int width = 0, height = 0;
     const std::uint16_t* texels = nullptr;

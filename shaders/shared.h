@@ -36,6 +36,7 @@ struct Primitive {
     uint face;           // of the object's base mesh
     uint object;
     uint flags;          // kPrimitive*
+    float shell_margin;  // how far, in barycentrics, the surface may reach over the parallel prism's sides
 };
 RELIEVO_CONST uint kPrimitiveOpenEdge0 = 1u;  // bit i: the edge opposite vertex i belongs to this triangle alone
 RELIEVO_CONST uint kPrimitiveFolded = 8u;     // the offset triangle turns over between w_low and w_high
@@ -129,7 +130,9 @@ RELIEVO_CONST uint kBindPickRays = 9u;
 RELIEVO_CONST uint kBindPickResults = 10u;
 RELIEVO_CONST uint kBindMaps = 11u;     // combined image samplers, one an object
 RELIEVO_CONST uint kBindOpacity = 12u;  // likewise
-RELIEVO_CONST uint kBindCount = 13u;
+RELIEVO_CONST uint kBindPyramids = 13u;  // min-max pyramids of the maps, where the method bounds heights
+RELIEVO_CONST uint kBindCount = 14u;
+RELIEVO_CONST int kPyramidLevels = 7;    // levels 1..7 of the pyramid are the image's mips 0..6
 
 // Specialisation constants: what features.cpp derived.
 RELIEVO_CONST uint kSpecObjects = 0u;   // number of objects; 1 spares the indexing of textures
@@ -142,7 +145,7 @@ RELIEVO_CONST uint kSpecCount = 5u;
 RELIEVO_CONST uint kGroupWidth = 8u;  // pixels a side of a compute workgroup
 
 #ifdef __cplusplus
-static_assert(sizeof(Primitive) == 120);
+static_assert(sizeof(Primitive) == 124);
 static_assert(sizeof(PrimitiveNormals) == 36);
 static_assert(sizeof(ObjectData) == 48);
 static_assert(sizeof(LightData) == 32);

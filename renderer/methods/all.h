@@ -5,6 +5,7 @@
 
 namespace relievo {
 
+extern const Method kExact;
 extern const Method kPdm;
 
 }  // namespace relievo

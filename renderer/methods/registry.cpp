@@ -12,7 +12,10 @@
 namespace relievo {
 namespace {
 
-constexpr std::array kMethods{&kPdm};
+constexpr std::array kMethods{
+    &kPdm,
+    &kExact,
+};
 
 std::string number(double value) {
     std::ostringstream text;

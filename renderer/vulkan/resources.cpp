@@ -57,14 +57,14 @@ Buffer::Buffer(const Context& context, VkDeviceSize bytes, VkBufferUsageFlags us
     }
 }
 
-Image::Image(const Context& context, int width, int height, VkFormat format, VkImageUsageFlags usage)
-    : width_(width), height_(height) {
+Image::Image(const Context& context, int width, int height, VkFormat format, VkImageUsageFlags usage, int mips)
+    : width_(width), height_(height), mips_(mips) {
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.imageType = VK_IMAGE_TYPE_2D;
     info.format = format;
     info.extent = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 1};
-    info.mipLevels = 1;
+    info.mipLevels = static_cast<std::uint32_t>(mips);
     info.arrayLayers = 1;
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
@@ -82,7 +82,7 @@ Image::Image(const Context& context, int width, int height, VkFormat format, VkI
     view.image = image;
     view.viewType = VK_IMAGE_VIEW_TYPE_2D;
     view.format = format;
-    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, static_cast<std::uint32_t>(mips), 0, 1};
     VkImageView handle = VK_NULL_HANDLE;
     check(vkCreateImageView(context.device(), &view, nullptr, &handle), "creating an image view");
     view_ = {context.device(), handle};
@@ -98,7 +98,7 @@ void Image::transition(VkCommandBuffer commands, VkImageLayout from, VkImageLayo
     barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image_.get();
-    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, static_cast<std::uint32_t>(mips_), 0, 1};
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
                          nullptr, 0, nullptr, 1, &barrier);
 }
@@ -115,6 +115,7 @@ SamplerHandle make_sampler(const Context& context, bool clamp, bool linear) {
     VkSamplerCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
     info.magFilter = info.minFilter = linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+    info.maxLod = VK_LOD_CLAMP_NONE;
     const VkSamplerAddressMode mode =
         clamp ? VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE : VK_SAMPLER_ADDRESS_MODE_REPEAT;
     info.addressModeU = info.addressModeV = info.addressModeW = mode;

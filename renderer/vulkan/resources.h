@@ -39,22 +39,23 @@ class Buffer {
 class Image {
   public:
     Image() = default;
-    Image(const Context& context, int width, int height, VkFormat format, VkImageUsageFlags usage);
+    Image(const Context& context, int width, int height, VkFormat format, VkImageUsageFlags usage, int mips = 1);
 
     VkImage get() const { return image_.get(); }
     VkImageView view() const { return view_.get(); }
     int width() const { return width_; }
     int height() const { return height_; }
     VkDeviceSize bytes() const { return bytes_; }
+    int mips() const { return mips_; }
 
-    // Records a transition of the whole image with full memory dependencies between the stages.
+    // Records a transition of the whole image, all mips, with full memory dependencies between the stages.
     void transition(VkCommandBuffer commands, VkImageLayout from, VkImageLayout to) const;
 
   private:
     MemoryHandle memory_;
     ImageHandle image_;
     ImageViewHandle view_;
-    int width_ = 0, height_ = 0;
+    int width_ = 0, height_ = 0, mips_ = 1;
     VkDeviceSize bytes_ = 0;
 };
 

@@ -12,6 +12,7 @@ struct PrismRay {
     float t0;          // the ray parameter at tau = 0
     float low, high;   // tau where the ray is inside (one stretch; a hole inside it is possible, samples must test)
     float w0, wd;      // height over the base plane: w0 + wd tau
+    vec2 x0, xd;       // the ray in the frame's plane: x0 + xd tau
     vec3 n0, n1, n2;   // constant, linear, square coefficient of each numerator in tau
     bool from_side;    // entered through a bilinear side (not an end, not started inside)
     uint entry_edge;   // then: the side's edge, opposite vertex 0, 1 or 2
@@ -89,6 +90,8 @@ FUNC bool enter_prism(Primitive p, vec3 o, vec3 d, float t_min, float t_max, flo
     vec2 x0 = vec2(dot(s, p.tangent), dot(s, bitangent));
     vec2 xd = vec2(dot(d, p.tangent), dot(d, bitangent));
     r.t0 = t0;
+    r.x0 = x0;
+    r.xd = xd;
     r.w0 = w + r.wd * t0;
     vec2 a0 = p.shift0 * r.w0 - x0, d0 = p.shift0 * r.wd - xd;
     vec2 a1 = vec2(p.q1x, 0.0f) + p.shift1 * r.w0 - x0, d1 = p.shift1 * r.wd - xd;

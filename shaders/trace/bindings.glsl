@@ -16,6 +16,7 @@ layout(set = 0, binding = kBindNormals, scalar) readonly buffer NormalBlock { Pr
 layout(set = 0, binding = kBindObjects, scalar) readonly buffer ObjectBlock { ObjectData objects[]; };
 layout(set = 0, binding = kBindMaps) uniform sampler2D maps[kObjects];
 layout(set = 0, binding = kBindOpacity) uniform sampler2D opacity_maps[kObjects];
+layout(set = 0, binding = kBindPyramids) uniform sampler2D pyramids[kObjects];
 layout(push_constant, scalar) uniform PushBlock { PushData push; };
 
 ObjectData object_data(uint object) { return objects[kObjects == 1u ? 0u : object]; }
@@ -31,10 +32,22 @@ vec4 height_quad(uint object, ivec2 cell) {
     return vec4(g.w, g.z, g.x, g.y);
 }
 
+// Least and greatest map value over the cells (between texel centres) of two by two nodes of 2^level cells a side,
+// beginning with the node that holds `cell`. Levels 1 to kPyramidLevels.
+vec2 map_bounds(uint object, int level, ivec2 cell) {
+    ObjectData ob = object_data(object);
+    if (ob.clamp_wrap != 0u) cell = clamp(cell, ivec2(0), ob.map_size - 1);
+    else cell -= ob.map_size * ivec2(floor((vec2(cell) + 0.5) / vec2(ob.map_size)));
+    ivec2 node = min(cell >> level, max(ob.map_size >> level, ivec2(1)) - 1);
+    if (kObjects == 1u) return texelFetch(pyramids[0], node, level - 1).rg;
+    return texelFetch(pyramids[nonuniformEXT(object)], node, level - 1).rg;
+}
+
 #include "../geometry/dialect.glsl"
 #include "../geometry/height.glsl"
 #include "../geometry/surface.glsl"
 #include "../geometry/prism.glsl"
+#include "../geometry/shell.glsl"
 
 // Texture coordinates of a hit, in the map's own [0, 1) period where it repeats.
 vec2 uv_at(Primitive p, vec2 b) {

@@ -75,13 +75,6 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     return false;
 }
 
-// Displaced normal as Algorithm 1 makes it: differentials of P + D N' with N' held, over half a texel to either side,
-// and the correction of section 5.1, N' for Ng, as a switch.
 FUNC vec3 shading_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec4 parameters, vec2 b) {
-    vec3 smooth_n = normalize(base_normal(n, b));
-    vec2 g = smooth_gradient(p.object, primitive_base(p.base), texel_at(p, b)) * ob.amplitude;
-    vec3 s1 = base_edge1(p) + smooth_n * dot(g, p.tx1 - p.tx0);
-    vec3 s2 = base_edge2(p) + smooth_n * dot(g, p.tx2 - p.tx0);
-    vec3 displaced = normalize(cross(s1, s2));
-    return parameters.z > 0.5f ? normalize(displaced - p.ng + smooth_n) : displaced;
+    return displaced_normal(p, n, ob, b, parameters.z > 0.5f);
 }

@@ -1,0 +1,170 @@
+// Exact intersection with the canonical surface (ours; DESIGN.md section 4).
+//
+// The ray is followed through the triangle's shell by its tangent (geometry/shell.glsl). A stretch of at most 2^level
+// texels is skipped when all of it stays above (or below) the bounds of the cells under it, from a min-max pyramid
+// whose nodes overlap: one fetch bounds the two by two nodes that such a stretch can touch. The end of each stretch is
+// evaluated, so how far the path leaves its tangent is known, and is added to the stretch. Where nothing can be
+// skipped the cells are walked one by one; in a cell the height along the chord is a quadratic, solved, then polished
+// by Newton on S itself. Based on quadtree displacement mapping (Drobot 2009) and tessellation-free displacement
+// (Thonat and others 2021); the path, the overlap and the polish are ours.
+//
+// What side of the surface the ray is on is carried along: a walk that starts on the other side has crossed.
+// Limits: a shell that folds inside one triangle (several b for one point) is followed on one sheet only.
+//
+// Parameters: x: correct_normals (0 or 1).
+const int kMaxStretches = 4096;      // per triangle: beyond, the ray counts as a miss
+const int kMaxCells = 6;             // a walk is at most 2 texels long
+const int kStartLevel = 3;
+const int kLeastLevel = -8;          // stretches shorter than a texel, where the path is sharply bent
+const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this, so that no ray slips between
+const float kBend = 0.05f;           // texels that a walked path may leave its chord
+
+FUNC float displacement(ObjectData ob, float value) { return ob.amplitude * (value - ob.midlevel); }
+
+FUNC bool in_triangle(vec2 b) { return min(min(b.x, b.y), 1.0f - b.x - b.y) >= -kEdgeMargin; }
+
+// The whole stretch lies outside the triangle, beyond one of its edges.
+FUNC bool stretch_outside(vec2 a, vec2 e, float bend) {
+    vec3 ba = vec3(a.x, a.y, 1.0f - a.x - a.y), be = vec3(e.x, e.y, 1.0f - e.x - e.y);
+    vec3 m = max(ba, be) + vec3(bend);
+    return min(min(m.x, m.y), m.z) < -kEdgeMargin;
+}
+
+// Smallest root of c.x + c.y s + c.z s^2 in [from, to]; false when there is none.
+FUNC bool first_root(vec3 c, float from, float to, OUT(float) root) {
+    root = to;
+    float disc = c.y * c.y - 4.0f * c.z * c.x;
+    if (disc < 0.0f) return false;
+    float q = -0.5f * (c.y + (c.y < 0.0f ? -sqrt(disc) : sqrt(disc)));
+    float r0 = abs(c.z) * 1e15f > abs(q) ? q / c.z : 1e15f;
+    float r1 = q != 0.0f ? c.x / q : (c.x == 0.0f ? 0.0f : 1e15f);
+    float low = min(r0, r1), high = max(r0, r1);
+    root = low >= from ? low : high;
+    return root >= from && root <= to;
+}
+
+// Newton on S along the ray, in the bilinear patch of one cell, from a root on the chord.
+FUNC ShellPoint polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec4 quad, vec2 guess, float reach,
+                       INOUT(float) tau) {
+    ShellPoint a = shell_point(p, s, r, tau, guess, 2);
+    for (int i = 0; i < 2; ++i) {
+        vec2 f = a.tx - cell;
+        float gx = (quad.y - quad.x) * (1.0f - f.y) + (quad.w - quad.z) * f.y;
+        float gy = (quad.z - quad.x) * (1.0f - f.x) + (quad.w - quad.y) * f.x;
+        float slope = a.dh - ob.amplitude * (gx * a.dtx.x + gy * a.dtx.y);
+        float gap = a.h - displacement(ob, bilinear(quad, f));
+        float step_back = slope != 0.0f ? clamp(gap / slope, -reach, reach) : 0.0f;
+        tau -= step_back;
+        a = shell_point(p, s, r, tau, a.b - a.db * step_back, 1);
+    }
+    return a;
+}
+
+// Walks the cells under the chord from a (at tau) to e (span later). `side` is the side of the surface the ray is on.
+FUNC bool walk_cells(Primitive p, ObjectData ob, Shell s, PrismRay r, ShellPoint a, ShellPoint e, float tau, float span,
+                     INOUT(float) side, OUT(SurfaceHit) hit) {
+    ivec2 base = primitive_base(p.base);
+    vec2 d = e.tx - a.tx;
+    float dh = e.h - a.h;
+    vec2 inverse = vec2(abs(d.x) > 1e-12f ? 1.0f / d.x : 1e30f, abs(d.y) > 1e-12f ? 1.0f / d.y : 1e30f);
+    vec2 forward = vec2(d.x > 0.0f ? 1.0f : 0.0f, d.y > 0.0f ? 1.0f : 0.0f);
+    vec2 bias = vec2(d.x > 0.0f ? 1e-5f : -1e-5f, d.y > 0.0f ? 1e-5f : -1e-5f);
+    float from = 0.0f;
+    hit.t = 0.0f;
+    hit.b = vec2(0.0f, 0.0f);
+    for (int i = 0; i < kMaxCells; ++i) {
+        vec2 cell = floor(a.tx + d * from + bias);
+        vec2 leave = (cell + forward - a.tx) * inverse;
+        float to = min(max(min(leave.x, leave.y), from), 1.0f);
+        vec4 quad = height_quad(p.object, base + ivec2(cell));
+        // Height over the patch along the chord, from s = `from` on.
+        vec2 f = a.tx + d * from - cell;
+        float kx = quad.y - quad.x, ky = quad.z - quad.x, kxy = quad.x - quad.y - quad.z + quad.w;
+        vec3 c = vec3(a.h + dh * from - displacement(ob, quad.x + kx * f.x + ky * f.y + kxy * f.x * f.y),
+                      dh - ob.amplitude * (kx * d.x + ky * d.y + kxy * (f.x * d.y + f.y * d.x)),
+                      -ob.amplitude * kxy * d.x * d.y);
+        float root = 0.0f, after = 0.0f;
+        for (int k = 0; k < 3; ++k) {
+            bool crossed = k == 0 && c.x * side < 0.0f;  // since the last cell's end
+            if (!crossed && !first_root(c, after, to - from, root)) break;
+            float at = tau + span * (from + root);
+            vec2 guess = a.b + (e.b - a.b) * (from + root);
+            ShellPoint h = polish(p, ob, s, r, cell, quad, guess, 0.1f * span, at);
+            if (in_triangle(h.b) && opaque_at(p, h.b)) {
+                hit.t = r.t0 + at;
+                hit.b = h.b;
+                return true;
+            }
+            side = -side;
+            after = root + 1e-4f;
+        }
+        from = to;
+        if (from >= 1.0f) break;
+    }
+    return false;
+}
+
+FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o, vec3 d, float t_min, float t_max,
+                            float random, OUT(SurfaceHit) hit) {
+    PrismRay r;
+    hit.t = t_max;
+    hit.b = vec2(0.0f, 0.0f);
+    if (!enter_prism(p, o, d, t_min, t_max, kEdgeMargin + p.shell_margin, r)) return false;
+    Shell s = make_shell(p);
+    vec3 guess = prism_barycentrics(r, r.low);
+    float tau = r.low;
+    ShellPoint a = shell_point(p, s, r, tau, vec2(guess.y, guess.z), 2);
+    // Through the top or the bottom of its own height range the side is known; else it is looked up when needed.
+    float side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
+    float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high));
+    ivec2 base = primitive_base(p.base);
+    int level = kStartLevel;
+    for (int i = 0; i < kMaxStretches && tau < r.high; ++i) {
+        float reach = exp2(float(level));
+        float speed = max(abs(a.dtx.x), abs(a.dtx.y));
+        float end = min(tau + 0.9f * reach / max(speed, 1e-20f), r.high);
+        float span = end - tau;
+        ShellPoint e = shell_point(p, s, r, end, a.b + a.db * span, 1);
+        vec2 off = abs(e.tx - a.tx - a.dtx * span);
+        float bend = 0.5f * max(off.x, off.y), bend_h = 0.5f * abs(e.h - a.h - a.dh * span);
+        float node = exp2(float(max(level, 1)));
+        vec2 low = floor((min(a.tx, e.tx) - vec2(bend + 1e-3f)) / node), high = max(a.tx, e.tx) + vec2(bend + 1e-3f);
+        bool held = high.x <= (low.x + 2.0f) * node && high.y <= (low.y + 2.0f) * node;  // false for NaN as well
+        if (!held && level > kLeastLevel) {
+            --level;
+            continue;
+        }
+        vec2 off_b = abs(e.b - a.b - a.db * span);
+        if (!held || stretch_outside(a.b, e.b, 0.5f * max(off_b.x, off_b.y))) {
+            tau = end > tau ? end : r.high;
+            a = held ? e : shell_point(p, s, r, tau, vec2(prism_barycentrics(r, tau).y, prism_barycentrics(r, tau).z), 3);
+            side = 0.0f;
+            level = min(level + 1, kPyramidLevels);
+            continue;
+        }
+        if (side == 0.0f)
+            side = a.h >= displacement(ob, map_value(p.object, base, a.tx)) ? 1.0f : -1.0f;
+        vec2 bounds = map_bounds(p.object, max(level, 1), base + ivec2(low * node));
+        float d0 = displacement(ob, bounds.x), d1 = displacement(ob, bounds.y);
+        bool clear = side > 0.0f ? min(a.h, e.h) - bend_h > max(d0, d1) + tolerance
+                                 : max(a.h, e.h) + bend_h < min(d0, d1) - tolerance;
+        if (clear) {
+            tau = end;
+            a = e;
+            level = min(level + 1, kPyramidLevels);
+            continue;
+        }
+        if (level > 1 || (bend > kBend && level > kLeastLevel)) {
+            --level;
+            continue;
+        }
+        if (walk_cells(p, ob, s, r, a, e, tau, span, side, hit)) return hit.t >= t_min && hit.t <= t_max;
+        tau = end > tau ? end : r.high;
+        a = e;
+    }
+    return false;
+}
+
+FUNC vec3 shading_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec4 parameters, vec2 b) {
+    return displaced_normal(p, n, ob, b, parameters.x > 0.5f);
+}
