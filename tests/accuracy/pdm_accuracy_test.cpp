@@ -48,7 +48,7 @@ ImageComparison compare_pdm(const SampleSurface& sample, const NamedView& view, 
     return result;
 }
 
-// Issue 1's limits.
+// What users are promised of pdm at this step.
 void expect_within_limits(const ImageComparison& result, const char* view) {
     EXPECT_GT(result.both, 100) << view;
     EXPECT_LE(result.depth.median, 1e-3) << view;
