@@ -46,6 +46,8 @@ void check_writable(const fs::path& path) {
     if (fs::is_directory(path)) fail(path, "is a folder, must be a file");
     if (access(folder.c_str(), W_OK | X_OK) != 0)
         fail(path, std::string("cannot write there: ") + std::strerror(errno));
+    if (fs::exists(path) && access(path.c_str(), W_OK) != 0)
+        fail(path, std::string("cannot be overwritten: ") + std::strerror(errno));
 }
 
 void write_png(const fs::path& path, const DisplayPicture& picture) {
