@@ -33,11 +33,13 @@ vec4 height_quad(uint object, ivec2 cell) {
 }
 
 // Least and greatest map value over the cells (between texel centres) of two by two nodes of 2^level cells a side,
-// beginning with the node that holds `cell`. Levels 1 to kPyramidLevels.
+// beginning with the node that holds `cell`. Levels 1 to kPyramidLevels; a small map's own last level, one node, holds
+// all of it.
 vec2 map_bounds(uint object, int level, ivec2 cell) {
     ObjectData ob = object_data(object);
     if (ob.clamp_wrap != 0u) cell = clamp(cell, ivec2(0), ob.map_size - 1);
     else cell -= ob.map_size * ivec2(floor((vec2(cell) + 0.5) / vec2(ob.map_size)));
+    level = min(level, max(findMSB(max(ob.map_size.x, ob.map_size.y)), 1));
     ivec2 node = min(cell >> level, max(ob.map_size >> level, ivec2(1)) - 1);
     if (kObjects == 1u) return texelFetch(pyramids[0], node, level - 1).rg;
     return texelFetch(pyramids[nonuniformEXT(object)], node, level - 1).rg;

@@ -25,9 +25,11 @@ struct ImageComparison {
     int missed = 0, invented = 0;  // away from silhouettes
     int silhouette_missed = 0, silhouette_invented = 0;
     int off = 0;            // depth off by more than a hundredth of the amplitude, away from silhouettes
+    int unexplained = 0;    // see count_unexplained
     ErrorRanks depth;       // |Z - reference| / |amplitude| over all pixels that both hit
     ErrorRanks depth_away;  // the same away from silhouettes
     ErrorRanks normal_deg;  // angle between N and the reference's
+    std::vector<OffPixel> unexplained_examples;
     std::vector<OffPixel> examples;  // away from silhouettes, the first of every kind
 
     std::string text() const;
@@ -39,5 +41,12 @@ struct ImageComparison {
 ImageComparison compare_images(const ReferenceImage& reference, const Camera& camera,
                                const glm::dvec3& scene_origin, double amplitude, std::span<const float> depth,
                                std::span<const float> normal, int reach = 2);
+
+// Counts, into `result`, the pixels (at silhouettes as well) where the method missed, invented or is off by more than
+// a hundredth of the amplitude, and none of the reference's rays within 2e-3 pixels of the centre gives the method's
+// answer: rounding of the ray cannot excuse them.
+void count_unexplained(const ReferenceSurface& surface, const ReferenceImage& reference, const Camera& camera,
+                       const glm::dvec3& scene_origin, double amplitude, std::span<const float> depth,
+                       ImageComparison& result);
 
 }  // namespace relievo::test

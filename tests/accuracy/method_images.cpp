@@ -5,12 +5,12 @@
 
 namespace relievo::test {
 
-MethodImages pdm_images(const Scene& scene, const HeightView& map, int size) {
+MethodImages method_images(const Scene& scene, const HeightView& map, int size, const MethodUnderTest& method) {
     static vulkan::Context device{vulkan::ContextOptions{}};
     RenderSettings settings;
     settings.width = settings.height = size;
-    settings.method = "pdm";
-    settings.parameters = {{"dt", 0.001}, {"jitter", 0}};
+    settings.method = method.name;
+    settings.parameters = method.parameters;
     Renderer renderer(device, scene, std::span(&map, 1), settings);
     return {renderer.read_back(Layer::depth), renderer.read_back(Layer::normal)};
 }

@@ -127,9 +127,10 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         ShellPoint e = shell_point(p, s, r, end, a.b + a.db * span, 1);
         vec2 off = abs(e.tx - a.tx - a.dtx * span);
         float bend = 0.5f * max(off.x, off.y), bend_h = 0.5f * abs(e.h - a.h - a.dh * span);
-        float node = exp2(float(max(level, 1)));
-        vec2 low = floor((min(a.tx, e.tx) - vec2(bend + 1e-3f)) / node), high = max(a.tx, e.tx) + vec2(bend + 1e-3f);
-        bool held = high.x <= (low.x + 2.0f) * node && high.y <= (low.y + 2.0f) * node;  // false for NaN as well
+        // A node of the pyramid holds any stretch of its level's length that begins in it.
+        vec2 low = min(a.tx, e.tx) - vec2(bend + 1e-3f), extent = max(a.tx, e.tx) + vec2(bend + 1e-3f) - low;
+        float most = max(reach, 2.0f);
+        bool held = extent.x <= most && extent.y <= most;  // false for NaN as well
         if (!held && level > kLeastLevel) {
             --level;
             continue;
@@ -144,7 +145,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         }
         if (side == 0.0f)
             side = a.h >= displacement(ob, map_value(p.object, base, a.tx)) ? 1.0f : -1.0f;
-        vec2 bounds = map_bounds(p.object, max(level, 1), base + ivec2(low * node));
+        vec2 bounds = map_bounds(p.object, max(level, 1), base + ivec2(floor(low)));
         float d0 = displacement(ob, bounds.x), d1 = displacement(ob, bounds.y);
         bool clear = side > 0.0f ? min(a.h, e.h) - bend_h > max(d0, d1) + tolerance
                                  : max(a.h, e.h) + bend_h < min(d0, d1) - tolerance;
