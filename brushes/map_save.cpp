@@ -61,11 +61,21 @@ void make_lossless(OIIO::ImageSpec& spec) {
     if (std::find(kLossy.begin(), kLossy.end(), kind) != kLossy.end()) spec.attribute("compression", "zip");
 }
 
+// The writers of TIFF and EXR stamp the hour on a file that has no date, and the same map would give other bytes
+// every second. This is EXIF's way of writing that the date is not known.
+void stop_the_clock(OIIO::ImageSpec& spec, MapFormat format) {
+    const bool stamped = format == MapFormat::tiff16 || is_float(format);
+    if (stamped && !spec.find_attribute("DateTime")) spec.attribute("DateTime", "    :  :     :  :  ");
+}
+
 OIIO::ImageSpec spec_for(const HeightMap& map, MapFormat format, const MapOrigin* origin, bool same_layout) {
     OIIO::ImageSpec spec(map.width(), map.height(), 1, type_of(format));
     if (is_float(format)) spec.channelnames = {"Y"};
     if (same_layout) spec = origin->spec;
-    if (!origin) return spec;
+    if (!origin) {
+        stop_the_clock(spec, format);
+        return spec;
+    }
     spec.extra_attribs.clear();
     for (const OIIO::ParamValue& attribute : origin->spec.extra_attribs) {
         const std::string_view name(attribute.name().data(), attribute.name().size());
@@ -73,6 +83,7 @@ OIIO::ImageSpec spec_for(const HeightMap& map, MapFormat format, const MapOrigin
         spec.extra_attribs.push_back(attribute);
     }
     make_lossless(spec);
+    stop_the_clock(spec, format);
     return spec;
 }
 

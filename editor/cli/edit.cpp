@@ -12,10 +12,11 @@ struct EditOptions {
     std::string scene, journal;
     CommonOptions common;
     MethodOptions method;
+    PictureOptions window;
 };
 
 int run_edit(const EditOptions& options, const EditorEntry& editor) {
-    EditRequest request{options.scene, session_options(options.common, options.method)};
+    EditRequest request{options.scene, session_options(options.common, options.method, options.window)};
     request.session.for_window = true;
     request.session.recovery = true;
     request.session.journal = options.journal;
@@ -33,6 +34,7 @@ void add_edit(CLI::App& app, Command& command, const EditorEntry& editor) {
     const auto options = std::make_shared<EditOptions>();
     verb.add_option("SCENE", options->scene, "Scene file (JSON)");
     verb.add_option("--journal", options->journal, "Record the session in this new file")->type_name("FILE");
+    verb.add_option("--size", options->window.size, "Size of the window, like 1440x860")->type_name("WxH");
     add_common(verb, options->common);
     add_method(verb, options->method);
     verb.callback([options, &command, &editor] {

@@ -3,8 +3,8 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <imgui_internal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -17,10 +17,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kInputMs = 40;    // of strokes, before the picture gets its turn
-constexpr double kTraceMs = 40;    // a frame
+constexpr double kInputMs = 40;  // of strokes, before the picture gets its turn
+constexpr double kTraceMs = 40;  // a frame
 constexpr double kRestSeconds = 0.5;
 constexpr double kUnhurriedMs = 100;  // between frames that show nothing new but numbers
+constexpr int kClosingFrames = 2;
 constexpr int kSettleFrames = 3;
 
 double ms_since(Clock::time_point start) {
@@ -30,7 +31,11 @@ double ms_since(Clock::time_point start) {
 }  // namespace
 
 App::App(Window& window, Screen& screen, Session& session, const std::string& message)
-    : window_(&window), screen_(&screen), live_(session, screen.format()), desk_(session, live_, toasts_), pointer_(desk_) {
+    : window_(&window),
+      screen_(&screen),
+      live_(session, screen.format()),
+      desk_(session, live_, toasts_),
+      pointer_(desk_) {
     if (!message.empty()) toasts_.error(message);
     for (const std::string& warning : session.scene().warnings) toasts_.info(warning);
 }
@@ -62,7 +67,9 @@ void App::draw() {
     last_drawn_ = Clock::now();
     if (frames_due_ > 0) --frames_due_;
     if (!screen_->begin()) return;
+    const bool dialog_open = !picture_free();
     draw_interface();
+    closing_frames_ = dialog_open && picture_free() ? kClosingFrames : std::max(0, closing_frames_ - 1);
     screen_->end(&live_.picture(), layout_.picture.x, layout_.picture.y);
     if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
 }
@@ -79,8 +86,8 @@ void App::wait_for_input() {
     if (!window_->events().empty()) frames_due_ = kSettleFrames;
 }
 
-// Dialogs and open menus keep the pointer to themselves. Asked at each press: Dear ImGui's own answer is as old as
-// its last frame.
+// Dialogs and open menus keep the pointer to themselves. Asked at each press: Dear ImGui's own answer is as
+// old as its last frame.
 bool App::picture_free() const {
     return !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
@@ -106,16 +113,17 @@ void App::handle_input() {
 void App::handle_key(const InputEvent& event) {
     if (event.code == GLFW_KEY_ESCAPE) return pointer_.cancel();
     if (event.code == GLFW_KEY_F12) desk_.view.screenshot_wanted = true;
-    if (pointer_.dragging() || ImGui::GetIO().WantTextInput || !picture_free()) return;
+    const bool typing = ImGui::GetIO().WantTextInput && closing_frames_ == 0;
+    if (pointer_.dragging() || typing || !picture_free()) return;
     pointer_.apply_camera();
     on_key(desk_, event, {layout_.picture.width, layout_.picture.height});
     pointer_stale_ = true;
 }
 
-// Not while there is a picture to trace for a moving camera or a stroke: those come first.
 void App::follow_pointer() {
     const bool over = layout_.picture.holds(x_, y_) && picture_free();
-    if (!over) {
+    const bool camera_moves = pointer_.dragging() && !pointer_.in_stroke();
+    if (!over || camera_moves) {
         desk_.cursor.hide();
         pointer_stale_ = false;
         return;
@@ -148,8 +156,8 @@ void App::update_title() {
     const Session& session = desk_.session;
     const auto path = session.map_path();
     const std::string map = path ? path->filename().string() : "new map";
-    window_->set_title((session.unsaved() ? "* " : "") + map + " - " + session.scene().path.filename().string() +
-                       " - Relievo");
+    window_->set_title((session.unsaved() ? "* " : "") + map + " - " +
+                       session.scene().path.filename().string() + " - Relievo");
 }
 
 void App::save_screenshot() {

@@ -40,10 +40,12 @@ class App {
     PointerControl pointer_;
     Dialogs dialogs_;
     Layout layout_;
-    double x_ = -1, y_ = -1;       // of the pointer, window pixels
-    bool pointer_stale_ = false;   // the surface under the pointer may have changed
+    double x_ = -1, y_ = -1;  // of the pointer, window pixels
+    int closing_frames_ =
+        0;  // after a dialog closed: what Dear ImGui says about typing is still the dialog's
+    bool pointer_stale_ = false;  // the surface under the pointer may have changed
     std::chrono::steady_clock::time_point last_drawn_{};
-    int frames_due_ = 3;           // drawn before the loop rests: the interface settles over a few frames
+    int frames_due_ = 3;  // drawn before the loop rests: the interface settles over a few frames
 };
 
 }  // namespace relievo::gui

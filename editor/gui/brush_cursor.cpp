@@ -33,12 +33,14 @@ void even_out(std::array<float, kRingPoints>& height) {
 
 glm::vec3 ring_point(glm::vec3 centre, glm::vec3 u, glm::vec3 v, std::size_t index, float radius) {
     const double angle = 2 * 3.14159265358979323846 * static_cast<double>(index) / kRingPoints;
-    return centre + radius * (u * static_cast<float>(std::cos(angle)) + v * static_cast<float>(std::sin(angle)));
+    return centre +
+           radius * (u * static_cast<float>(std::cos(angle)) + v * static_cast<float>(std::sin(angle)));
 }
 
-// Where the ball of the brush meets the surface, nearly: points of a circle in the tangent plane are dropped onto
-// the surface along the normal, then again from a smaller circle where the surface lies lower or higher, so that
-// their distance to the centre is the radius. Where nothing is near (past a silhouette), they stay in the plane.
+// Where the ball of the brush meets the surface, nearly: points of a circle in the tangent plane are dropped
+// onto the surface along the normal, then again from a smaller circle where the surface lies lower or higher,
+// so that their distance to the centre is the radius. Where nothing is near (past a silhouette), they stay in
+// the plane.
 std::vector<glm::vec3> ring_around(Renderer& renderer, const PickHit& centre, float radius) {
     const glm::vec3 n = centre.normal;
     const glm::vec3 other = std::abs(n.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
@@ -47,7 +49,8 @@ std::vector<glm::vec3> ring_around(Renderer& renderer, const PickHit& centre, fl
     for (int round = 0; round < 2; ++round) {
         std::vector<Ray> rays;
         for (std::size_t i = 0; i < height.size(); ++i)
-            rays.push_back({ring_point(centre.position, u, v, i, shrunk(radius, height[i])) + n * radius, -n});
+            rays.push_back(
+                {ring_point(centre.position, u, v, i, shrunk(radius, height[i])) + n * radius, -n});
         const std::vector<PickHit> hits = renderer.pick(rays);
         for (std::size_t i = 0; i < height.size(); ++i) {
             const float fresh = hits[i].hit ? radius - hits[i].distance : 0;

@@ -9,8 +9,8 @@
 namespace relievo::gui {
 namespace {
 
-constexpr double kOrbitPerHeight = 3.5;   // radians for a drag over the picture's height
-constexpr double kSteepestDeg = 89.5;     // the view never reaches the up vector, where left and right end
+constexpr double kOrbitPerHeight = 3.5;  // radians for a drag over the picture's height
+constexpr double kSteepestDeg = 89.5;    // the view never reaches the up vector, where left and right end
 constexpr double kZoomPerNotch = 0.88;
 constexpr double kFrameMargin = 1.12;
 
@@ -80,7 +80,9 @@ Camera looking_along(const Camera& camera, Axis axis) {
     const double quarter = glm::radians(90.0);
     const Angles now = angles_of(camera);
     Angles wanted{axis == Axis::right ? quarter : 0.0, axis == Axis::top ? quarter : 0.0};
-    const auto near = [](double a, double b) { return std::abs(std::remainder(a - b, glm::radians(360.0))) < 0.02; };
+    const auto near = [](double a, double b) {
+        return std::abs(std::remainder(a - b, glm::radians(360.0))) < 0.02;
+    };
     if (axis == Axis::top && near(now.latitude, glm::radians(kSteepestDeg))) wanted.latitude = -quarter;
     if (axis != Axis::top && near(now.longitude, wanted.longitude) && near(now.latitude, 0))
         wanted.longitude += 2 * quarter;
@@ -100,7 +102,8 @@ Camera framing_all(const Scene& scene, PixelSize picture) {
     const double radius = glm::length(high - low) * 0.5 + swell;
     const Camera& camera = scene.camera;
     const double half_height = std::tan(glm::radians(camera.fov_deg) / 2);
-    const double half_least = half_height * std::min(1.0, static_cast<double>(picture.width) / picture.height);
+    const double half_least =
+        half_height * std::min(1.0, static_cast<double>(picture.width) / picture.height);
     const double distance = kFrameMargin * radius / std::sin(std::atan(half_least));
     Camera framed = camera;
     framed.look_at = centre + scene.origin;

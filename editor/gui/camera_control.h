@@ -9,7 +9,7 @@ namespace relievo::gui {
 // Pointer movement in pixels, right and down positive; the picture's height gives the scale.
 Camera orbited(const Camera& camera, double dx_px, double dy_px, int height_px);
 Camera panned(const Camera& camera, double dx_px, double dy_px, int height_px);  // the look_at plane follows
-Camera zoomed(const Camera& camera, double notches);  // positive: nearer
+Camera zoomed(const Camera& camera, double notches);                             // positive: nearer
 
 enum class Axis { front, right, top };
 Camera looking_along(const Camera& camera, Axis axis);  // same distance; opposite when it looks so already

@@ -91,7 +91,8 @@ DisplayPicture Canvas::read_back() {
                         static_cast<std::uint32_t>(image_.height()), 1};
     commands_.run([&](VkCommandBuffer cmd) {
         vulkan::memory_barrier(cmd);
-        vkCmdCopyImageToBuffer(cmd, image_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, bytes.get(), 1, &copy);
+        vkCmdCopyImageToBuffer(cmd, image_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, bytes.get(), 1,
+                               &copy);
         vulkan::memory_barrier(cmd);
     });
     DisplayPicture picture{image_.width(), image_.height(), std::vector<std::uint8_t>(pixels * 4)};

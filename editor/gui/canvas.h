@@ -1,5 +1,5 @@
-// The picture of the whole window: the ray-traced picture with the interface drawn over it. It is copied to the
-// window's images byte by byte, and to files for screenshots.
+// The picture of the whole window: the ray-traced picture with the interface drawn over it. It is copied to
+// the window's images byte by byte, and to files for screenshots.
 #pragma once
 
 #include <functional>
@@ -24,8 +24,8 @@ class Canvas {
     PixelSize size() const { return {image_.width(), image_.height()}; }
     void resize(PixelSize size);
 
-    // Records `underlay` (copies into image(), in layout TRANSFER_DST_OPTIMAL; what it leaves out is undefined), then
-    // `overlay` in the render pass. The image ends in layout TRANSFER_SRC_OPTIMAL.
+    // Records `underlay` (copies into image(), in layout TRANSFER_DST_OPTIMAL; what it leaves out is
+    // undefined), then `overlay` in the render pass. The image ends in layout TRANSFER_SRC_OPTIMAL.
     using Record = std::function<void(VkCommandBuffer)>;
     void record(VkCommandBuffer commands, const Record& underlay, const Record& overlay) const;
 

@@ -1,5 +1,5 @@
-// What panels, keys and dialogs share: the session, and the commands that they give it. Every change goes through
-// the session, which journals it; what it refuses becomes a message on screen.
+// What panels, keys and dialogs share: the session, and the commands that they give it. Every change goes
+// through the session, which journals it; what it refuses becomes a message on screen.
 #pragma once
 
 #include <filesystem>
@@ -35,7 +35,6 @@ struct ViewState {
     Dialog wanted = Dialog::none;
     BrushDrag brush_drag = BrushDrag::none;
     bool screenshot_wanted = false;
-    int mods = 0;  // GLFW_MOD_* held
 };
 
 class Desk {

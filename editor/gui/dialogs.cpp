@@ -27,16 +27,17 @@ bool escape_pressed() {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
 }
 
+// The suggested button is the one that Enter pushes.
 bool dialog_button(const char* label, bool suggested = false) {
     if (suggested) ImGui::PushStyleColor(ImGuiCol_Button, kAccentDim);
     const bool pushed = ImGui::Button(label, ImVec2(points(120), 0));
     if (suggested) ImGui::PopStyleColor();
-    return pushed;
+    return pushed || (suggested && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)));
 }
 
 void draw_keys() {
-    if (!begin_dialog(kKeysTitle, 560)) return;
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingStretchProp)) {
+    if (!begin_dialog(kKeysTitle, 600)) return;
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
         for (const KeyHelp& key : key_help()) {
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
@@ -88,9 +89,9 @@ void draw_unsaved(Desk& desk) {
 }
 
 std::string age(std::filesystem::file_time_type when) {
-    const auto minutes = std::chrono::duration_cast<std::chrono::minutes>(
-                             std::filesystem::file_time_type::clock::now() - when)
-                             .count();
+    const auto minutes =
+        std::chrono::duration_cast<std::chrono::minutes>(std::filesystem::file_time_type::clock::now() - when)
+            .count();
     if (minutes < 1) return "just now";
     if (minutes < 120) return std::to_string(minutes) + " minutes ago";
     if (minutes < 48 * 60) return std::to_string(minutes / 60) + " hours ago";
@@ -99,7 +100,8 @@ std::string age(std::filesystem::file_time_type when) {
 
 void draw_recovery(Desk& desk) {
     if (!begin_dialog(kRecoveryTitle, 560)) return;
-    ImGui::TextWrapped("Relievo ended without saving. Its journals hold the strokes; restoring replays them.");
+    ImGui::TextWrapped(
+        "Relievo ended without saving. Its journals hold the strokes; restoring replays them.");
     ImGui::Spacing();
     std::optional<std::size_t> gone;
     for (std::size_t i = 0; i < desk.abandoned.size(); ++i) {
@@ -109,8 +111,9 @@ void draw_recovery(Desk& desk) {
         ImGui::TextUnformatted(journal.scene.filename().string().c_str());
         ImGui::PopFont();
         ImGui::SameLine();
-        ImGui::TextDisabled("%zu unsaved edits, %s", journal.edits, age(journal.when).c_str());
-        if (dialog_button("Restore", true)) {
+        ImGui::TextDisabled("%zu unsaved edit%s, %s", journal.edits, journal.edits == 1 ? "" : "s",
+                            age(journal.when).c_str());
+        if (dialog_button("Restore", i == 0)) {
             desk.leave({Departure::Kind::restore, {}, journal});
             ImGui::CloseCurrentPopup();
         }
@@ -135,11 +138,17 @@ FileDialog::Purpose scene_purpose() {
 
 void Dialogs::open(Desk& desk, Dialog dialog) {
     switch (dialog) {
-        case Dialog::none: return;
-        case Dialog::keys: return ImGui::OpenPopup(kKeysTitle);
-        case Dialog::unsaved: return ImGui::OpenPopup(kUnsavedTitle);
-        case Dialog::recovery: return ImGui::OpenPopup(kRecoveryTitle);
-        case Dialog::open_scene: files_.open(scene_purpose(), desk.session.scene().path); break;
+        case Dialog::none:
+            return;
+        case Dialog::keys:
+            return ImGui::OpenPopup(kKeysTitle);
+        case Dialog::unsaved:
+            return ImGui::OpenPopup(kUnsavedTitle);
+        case Dialog::recovery:
+            return ImGui::OpenPopup(kRecoveryTitle);
+        case Dialog::open_scene:
+            files_.open(scene_purpose(), desk.session.scene().path);
+            break;
         case Dialog::save_as: {
             const std::filesystem::path scene = desk.session.scene().path;
             const auto fresh = scene.parent_path() / (scene.stem().string() + ".tif");

@@ -112,9 +112,9 @@ void FileDialog::draw_entries(bool& accepted) {
     for (const Entry& entry : entries_) {
         const std::string shown = entry.folder ? entry.name + "/" : entry.name;
         if (entry.folder) ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
-        const bool chosen = ImGui::Selectable(shown.c_str(), entry.name == name_,
-                                              ImGuiSelectableFlags_AllowDoubleClick |
-                                                  ImGuiSelectableFlags_DontClosePopups);
+        const bool chosen =
+            ImGui::Selectable(shown.c_str(), entry.name == name_,
+                              ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups);
         if (entry.folder) ImGui::PopStyleColor();
         if (!chosen) continue;
         confirm_ = false;
@@ -153,7 +153,8 @@ std::optional<fs::path> FileDialog::draw() {
     ImGui::PopStyleColor();
     accepted |= ImGui::Button(confirm_ ? "Replace" : purpose_.accept, ImVec2(points(110), 0));
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", ImVec2(points(110), 0)) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+    if (ImGui::Button("Cancel", ImVec2(points(110), 0)) ||
+        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
         keep = false;
     const std::optional<fs::path> result = accepted && keep ? accept() : std::nullopt;
     if (result || !keep) {

@@ -26,7 +26,7 @@ constexpr std::array kHelp{
     KeyHelp{"Alt + middle, Shift + middle", "pan"},
     KeyHelp{"Alt + right, Ctrl + middle, wheel", "zoom"},
     KeyHelp{"A", "show all"},
-    KeyHelp{"Numpad 1, 3, 7", "from the front, the right, above; again: from the other side"},
+    KeyHelp{"Numpad 1, 3, 7", "from the front, the right, above; again: opposite"},
     KeyHelp{"Tab", "hide and show the interface"},
     KeyHelp{"File", ""},
     KeyHelp{"Ctrl + S, Ctrl + Shift + S", "save the map, save as"},
@@ -40,15 +40,21 @@ constexpr std::array kHelp{
 
 void on_control_key(Desk& desk, int key, bool shift) {
     switch (key) {
-        case GLFW_KEY_Z: return shift ? desk.redo() : desk.undo();
-        case GLFW_KEY_Y: return desk.redo();
+        case GLFW_KEY_Z:
+            return shift ? desk.redo() : desk.undo();
+        case GLFW_KEY_Y:
+            return desk.redo();
         case GLFW_KEY_S:
             if (!shift) return desk.save();
             desk.view.wanted = Dialog::save_as;
             return;
-        case GLFW_KEY_O: desk.view.wanted = Dialog::open_scene; return;
-        case GLFW_KEY_Q: return desk.leave({});
-        default: return;
+        case GLFW_KEY_O:
+            desk.view.wanted = Dialog::open_scene;
+            return;
+        case GLFW_KEY_Q:
+            return desk.leave({});
+        default:
+            return;
     }
 }
 
@@ -69,16 +75,29 @@ void on_key(Desk& desk, const InputEvent& event, PixelSize picture) {
     if (event.code >= GLFW_KEY_1 && event.code <= GLFW_KEY_9)
         return desk.choose_tool(static_cast<std::size_t>(event.code - GLFW_KEY_1));
     switch (event.code) {
-        case GLFW_KEY_LEFT_BRACKET: return desk.scale_radius(1 / kSizeStep);
-        case GLFW_KEY_RIGHT_BRACKET: return desk.scale_radius(kSizeStep);
-        case GLFW_KEY_F: desk.view.brush_drag = shift ? BrushDrag::strength : BrushDrag::radius; return;
-        case GLFW_KEY_A: return desk.set_camera(framing_all(desk.session.scene(), picture));
-        case GLFW_KEY_KP_1: return look(desk, Axis::front);
-        case GLFW_KEY_KP_3: return look(desk, Axis::right);
-        case GLFW_KEY_KP_7: return look(desk, Axis::top);
-        case GLFW_KEY_TAB: desk.view.interface_hidden = !desk.view.interface_hidden; return;
-        case GLFW_KEY_F1: desk.view.wanted = Dialog::keys; return;
-        default: return;
+        case GLFW_KEY_LEFT_BRACKET:
+            return desk.scale_radius(1 / kSizeStep);
+        case GLFW_KEY_RIGHT_BRACKET:
+            return desk.scale_radius(kSizeStep);
+        case GLFW_KEY_F:
+            desk.view.brush_drag = shift ? BrushDrag::strength : BrushDrag::radius;
+            return;
+        case GLFW_KEY_A:
+            return desk.set_camera(framing_all(desk.session.scene(), picture));
+        case GLFW_KEY_KP_1:
+            return look(desk, Axis::front);
+        case GLFW_KEY_KP_3:
+            return look(desk, Axis::right);
+        case GLFW_KEY_KP_7:
+            return look(desk, Axis::top);
+        case GLFW_KEY_TAB:
+            desk.view.interface_hidden = !desk.view.interface_hidden;
+            return;
+        case GLFW_KEY_F1:
+            desk.view.wanted = Dialog::keys;
+            return;
+        default:
+            return;
     }
 }
 

@@ -15,7 +15,8 @@ Layout make_layout(PixelSize window, bool interface_hidden, float& side_width) {
         return layout;
     }
     if (side_width <= 0) side_width = points(316);
-    side_width = std::clamp(side_width, points(240), std::max(points(240), 0.5f * static_cast<float>(window.width)));
+    side_width =
+        std::clamp(side_width, points(240), std::max(points(240), 0.5f * static_cast<float>(window.width)));
     const int top = px(46), status = px(28), tools = px(60), side = static_cast<int>(side_width);
     const int middle = std::max(1, window.height - top - status);
     layout.top = {0, 0, window.width, top};

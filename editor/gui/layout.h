@@ -7,9 +7,7 @@ namespace relievo::gui {
 
 struct Box {
     int x = 0, y = 0, width = 0, height = 0;
-    bool holds(double px, double py) const {
-        return px >= x && py >= y && px < x + width && py < y + height;
-    }
+    bool holds(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
 };
 
 struct Layout {

@@ -32,8 +32,7 @@ double pixels(const PixelRect& r) {
 
 // A moving average: single calls are noisy, and the first one of a kind may wait for a compiler.
 void learn(double& ms_per_pixel, double ms, double pixel_count) {
-    if (pixel_count > 0)
-        ms_per_pixel += 0.3 * (std::min(ms / pixel_count, 4 * ms_per_pixel) - ms_per_pixel);
+    if (pixel_count > 0) ms_per_pixel += 0.3 * (std::min(ms / pixel_count, 4 * ms_per_pixel) - ms_per_pixel);
 }
 
 }  // namespace
@@ -42,7 +41,8 @@ LivePicture::LivePicture(Session& session, VkFormat format)
     : session_(&session), picture_(session.context(), format) {}
 
 PixelSize LivePicture::full_size() const {
-    return {std::max(1, picture_.size().width / reduction_), std::max(1, picture_.size().height / reduction_)};
+    return {std::max(1, picture_.size().width / reduction_),
+            std::max(1, picture_.size().height / reduction_)};
 }
 
 void LivePicture::set_renderer_size(PixelSize size) {
@@ -95,7 +95,8 @@ void LivePicture::after_dab() {
     const auto dab = session_->last_dab();
     if (!dab) return;
     const Scene& scene = session_->scene();
-    const auto centre = project(scene.camera, scene.origin, renderer().width(), renderer().height(), dab->centre);
+    const auto centre =
+        project(scene.camera, scene.origin, renderer().width(), renderer().height(), dab->centre);
     if (!centre) return;
     const double depth = glm::length(glm::dvec3(dab->centre) + scene.origin - scene.camera.eye);
     const double px_per_unit =
@@ -165,7 +166,7 @@ void LivePicture::trace_moving() {
     const PixelSize full = full_size();
     const double affordable = kMovingMs / preview_ms_;  // pixels
     int divide = 1;
-    while (divide < kCoarsest && static_cast<double>(full.width) * full.height / (divide * divide) > affordable)
+    while (divide<kCoarsest&& static_cast<double>(full.width) * full.height / (divide * divide)> affordable)
         ++divide;
     set_renderer_size({std::max(1, full.width / divide), std::max(1, full.height / divide)});
     const PixelRect all{0, 0, renderer().width(), renderer().height()};
@@ -229,8 +230,8 @@ PixelRect LivePicture::slice_from(int row, double ms_per_pixel) const {
     return {0, row, size.width, std::min(size.height, row + taken)};
 }
 
-// The first row of tiles that has stale ones, from its first to its last, with the rows below it while they are
-// cheap enough.
+// The first row of tiles that has stale ones, from its first to its last, with the rows below it while they
+// are cheap enough.
 PixelRect LivePicture::next_stale() const {
     const auto first = std::find(stale_.begin(), stale_.end(), 1);
     const int row = static_cast<int>(first - stale_.begin()) / tiles_x_;
@@ -244,7 +245,8 @@ PixelRect LivePicture::next_stale() const {
         rows = static_cast<int>(std::clamp(kSliceMs / std::max(1e-9, row_ms), 1.0, 1e4));
     }
     const Renderer& r = session_->renderer();
-    return {x0 * kTile, row * kTile, std::min(r.width(), x1 * kTile), std::min(r.height(), (row + rows) * kTile)};
+    return {x0 * kTile, row * kTile, std::min(r.width(), x1 * kTile),
+            std::min(r.height(), (row + rows) * kTile)};
 }
 
 void LivePicture::mark_all_stale() {
@@ -258,8 +260,10 @@ void LivePicture::mark_stale(const glm::dvec2& centre_px, double radius_px) {
     const auto tile_of = [](double px, int count) {
         return static_cast<int>(std::clamp(std::floor(px / kTile), 0.0, static_cast<double>(count - 1)));
     };
-    const int x0 = tile_of(centre_px.x - radius_px, tiles_x_), x1 = tile_of(centre_px.x + radius_px, tiles_x_);
-    const int y0 = tile_of(centre_px.y - radius_px, tiles_y_), y1 = tile_of(centre_px.y + radius_px, tiles_y_);
+    const int x0 = tile_of(centre_px.x - radius_px, tiles_x_),
+              x1 = tile_of(centre_px.x + radius_px, tiles_x_);
+    const int y0 = tile_of(centre_px.y - radius_px, tiles_y_),
+              y1 = tile_of(centre_px.y + radius_px, tiles_y_);
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; ++x) {
             std::uint8_t& tile = stale_[static_cast<std::size_t>(y * tiles_x_ + x)];
@@ -274,7 +278,8 @@ void LivePicture::clear_stale(const PixelRect& traced) {
     const Renderer& r = session_->renderer();
     for (int y = 0; y < tiles_y_; ++y) {
         for (int x = 0; x < tiles_x_; ++x) {
-            const bool covered = x * kTile >= traced.x0 && std::min(r.width(), (x + 1) * kTile) <= traced.x1 &&
+            const bool covered = x * kTile >= traced.x0 &&
+                                 std::min(r.width(), (x + 1) * kTile) <= traced.x1 &&
                                  y * kTile >= traced.y0 && std::min(r.height(), (y + 1) * kTile) <= traced.y1;
             std::uint8_t& tile = stale_[static_cast<std::size_t>(y * tiles_x_ + x)];
             if (!covered || !tile) continue;

@@ -29,23 +29,25 @@ class LivePicture {
     double to_renderer_x(double x) const;
     double to_renderer_y(double y) const;
 
-    void in_motion();         // camera or settings change continuously: show something now
-    void restart();           // all is stale, keep what is shown until it is replaced
-    void begin_stroke();      // full size from now on
-    void after_dab();         // session.last_dab() changed the surface
+    void in_motion();               // camera or settings change continuously: show something now
+    void restart();                 // all is stale, keep what is shown until it is replaced
+    void begin_stroke();            // full size from now on
+    void after_dab();               // session.last_dab() changed the surface
     void end_stroke(bool changed);  // false: it left the surface as it was
 
     // Traces what is most wanted, at least one slice, then more until `budget_ms` have passed.
     void work(double budget_ms);
-    bool idle() const;        // nothing is left to trace
+    bool idle() const;  // nothing is left to trace
 
-    bool take_changed();      // something new is to be seen since the last call
+    bool take_changed();  // something new is to be seen since the last call
 
     int samples() const;
     double progress() const;  // of the preview and the first sample together, [0, 1]
     int sample_limit() const { return sample_limit_; }
     void set_sample_limit(int limit);
-    double trace_ms() const { return trace_ms_; }  // of the last whole-image pass, live window or moving frame
+    double trace_ms() const {
+        return trace_ms_;
+    }  // of the last whole-image pass, live window or moving frame
 
   private:
     enum class Phase { moving, stale, sampling };

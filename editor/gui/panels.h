@@ -1,5 +1,5 @@
-// The panels around the picture, each in its own file. They read the session, change what is only view state, and
-// give every other change to the desk.
+// The panels around the picture, each in its own file. They read the session, change what is only view state,
+// and give every other change to the desk.
 #pragma once
 
 #include "editor/gui/desk.h"

@@ -80,7 +80,8 @@ void Picture::record_copy(VkCommandBuffer cmd, VkImage to, int x, int y) const {
     VkImageCopy copy{};
     copy.srcSubresource = copy.dstSubresource = kColor;
     copy.dstOffset = {x, y, 0};
-    copy.extent = {static_cast<std::uint32_t>(image_.width()), static_cast<std::uint32_t>(image_.height()), 1};
+    copy.extent = {static_cast<std::uint32_t>(image_.width()), static_cast<std::uint32_t>(image_.height()),
+                   1};
     vkCmdCopyImage(cmd, image_.get(), kSource, to, kTarget, 1, &copy);
 }
 

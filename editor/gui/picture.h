@@ -1,5 +1,5 @@
-// The ray-traced picture as the window shows it: a copy of the renderer's image, taken when and where it is fit to
-// be seen, so that the renderer may change its size or start anew meanwhile.
+// The ray-traced picture as the window shows it: a copy of the renderer's image, taken when and where it is
+// fit to be seen, so that the renderer may change its size or start anew meanwhile.
 #pragma once
 
 #include "editor/gui/window.h"

@@ -12,8 +12,8 @@
 namespace relievo::gui {
 namespace {
 
-constexpr double kZoomPerHeight = 12;      // notches for a drag over the picture's height
-constexpr double kRadiusPerHeight = 4;     // powers of e
+constexpr double kZoomPerHeight = 12;   // notches for a drag over the picture's height
+constexpr double kRadiusPerHeight = 4;  // powers of e
 constexpr double kStrengthPerHeight = 1.5;
 
 }  // namespace
@@ -28,12 +28,17 @@ void PointerControl::on_event(const InputEvent& event, const Box& picture, bool 
         case InputEvent::Kind::press:
             if (over && !dragging()) on_press(local);
             break;
-        case InputEvent::Kind::move: on_move(local); break;
-        case InputEvent::Kind::release: on_release(local); break;
+        case InputEvent::Kind::move:
+            on_move(local);
+            break;
+        case InputEvent::Kind::release:
+            on_release(local);
+            break;
         case InputEvent::Kind::scroll:
             if (over && !stroke_.active()) moving_camera() = zoomed(moving_camera(), event.scroll);
             break;
-        case InputEvent::Kind::key: break;
+        case InputEvent::Kind::key:
+            break;
     }
     last_x_ = local.x;
     last_y_ = local.y;
@@ -79,10 +84,17 @@ void PointerControl::on_release(const InputEvent& local) {
 void PointerControl::drag_camera(double dx, double dy) {
     Camera& camera = moving_camera();
     switch (drag_) {
-        case CameraDrag::orbit: camera = orbited(camera, dx, dy, picture_height_); break;
-        case CameraDrag::pan: camera = panned(camera, dx, dy, picture_height_); break;
-        case CameraDrag::zoom: camera = zoomed(camera, (dx - dy) / picture_height_ * kZoomPerHeight); break;
-        case CameraDrag::none: break;
+        case CameraDrag::orbit:
+            camera = orbited(camera, dx, dy, picture_height_);
+            break;
+        case CameraDrag::pan:
+            camera = panned(camera, dx, dy, picture_height_);
+            break;
+        case CameraDrag::zoom:
+            camera = zoomed(camera, (dx - dy) / picture_height_ * kZoomPerHeight);
+            break;
+        case CameraDrag::none:
+            break;
     }
 }
 

@@ -1,5 +1,5 @@
-// What the pointer does over the picture: strokes, camera drags, brush drags. It decides at the press, and keeps to
-// it until the release.
+// What the pointer does over the picture: strokes, camera drags, brush drags. It decides at the press, and
+// keeps to it until the release.
 #pragma once
 
 #include "editor/gui/desk.h"
@@ -12,7 +12,8 @@ class PointerControl {
   public:
     explicit PointerControl(Desk& desk) : desk_(&desk), stroke_(desk.session, desk.live) {}
 
-    // Events in their order, positions on the window. `picture_free`: no dialog or menu lies over the picture.
+    // Events in their order, positions on the window. `picture_free`: no dialog or menu lies over the
+    // picture.
     void on_event(const InputEvent& event, const Box& picture, bool picture_free);
     void cancel();  // Esc: the stroke, or the brush drag
 
@@ -34,8 +35,8 @@ class PointerControl {
     StrokeControl stroke_;
     CameraDrag drag_ = CameraDrag::none;
     int drag_button_ = 0;
-    std::optional<Camera> camera_;         // moved, not yet given to the session
-    std::optional<Brush> brush_before_;    // of a brush drag
+    std::optional<Camera> camera_;       // moved, not yet given to the session
+    std::optional<Brush> brush_before_;  // of a brush drag
     double last_x_ = 0, last_y_ = 0;
     int picture_height_ = 1;
 };

@@ -44,7 +44,8 @@ SkyAxes sky_axes(const Camera& camera) {
 
 SunPlace place_of(const glm::dvec3& direction, const SkyAxes& axes) {
     const glm::dvec3 to_sun = -glm::normalize(direction);
-    return {static_cast<float>(glm::degrees(std::atan2(glm::dot(to_sun, axes.east), glm::dot(to_sun, axes.south)))),
+    return {static_cast<float>(
+                glm::degrees(std::atan2(glm::dot(to_sun, axes.east), glm::dot(to_sun, axes.south)))),
             static_cast<float>(glm::degrees(std::asin(std::clamp(glm::dot(to_sun, axes.up), -1.0, 1.0))))};
 }
 
@@ -73,7 +74,8 @@ void light_rows(Desk& desk, std::size_t index) {
     }
     float intensity = light.intensity;
     const float most = std::max(sun ? 12.0f : 100.0f, intensity);
-    if (slider_row("Intensity", intensity, {0, most, false, "%.2f"}, sun ? "Irradiance." : "Radiant intensity, W/sr."))
+    if (slider_row("Intensity", intensity, {0, most, false, "%.2f"},
+                   sun ? "Irradiance." : "Radiant intensity, W/sr."))
         desk.set(key + "intensity", static_cast<double>(intensity));
     if (sun) {
         float angle = light.angle_deg;
@@ -129,7 +131,8 @@ void draw_lights_section(Desk& desk) {
     float roughness = material.roughness, specular = material.specular;
     if (slider_row("Roughness", roughness, {0.02f, 1}, "Small is polished, 1 is chalk."))
         desk.set("material.roughness", std::clamp(static_cast<double>(roughness), 0.02, 1.0));
-    if (slider_row("Specular", specular, {0, 1}, "Reflectance at normal incidence; 0.04 for most matter, 0 for none."))
+    if (slider_row("Specular", specular, {0, 1},
+                   "Reflectance at normal incidence; 0.04 for most matter, 0 for none."))
         desk.set("material.specular", std::clamp(static_cast<double>(specular), 0.0, 1.0));
 }
 

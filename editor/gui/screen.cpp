@@ -74,8 +74,8 @@ Screen::Screen(vulkan::Context& context, Window& window)
       descriptors_(make_descriptor_pool(context.device())),
       pool_(make_command_pool(context)),
       done_(make_signalled_fence(context.device())) {
-    const VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, pool_.get(),
-                                           VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
+    const VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr,
+                                           pool_.get(), VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
     vulkan::check(vkAllocateCommandBuffers(context.device(), &info, &commands_),
                   "allocating a command buffer");
     start_ui(window);
@@ -143,10 +143,12 @@ void Screen::show() {
         record_layout(commands_, target, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
         VkImageCopy copy{};
         copy.srcSubresource = copy.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        copy.extent = {static_cast<std::uint32_t>(size().width), static_cast<std::uint32_t>(size().height), 1};
+        copy.extent = {static_cast<std::uint32_t>(size().width), static_cast<std::uint32_t>(size().height),
+                       1};
         vkCmdCopyImage(commands_, canvas_.image(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-        record_layout(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
+        record_layout(commands_, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                      VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
     }
     vulkan::check(vkEndCommandBuffer(commands_), "ending a command buffer");
     const VkSemaphore wait = swapchain_.acquired();

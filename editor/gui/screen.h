@@ -18,7 +18,8 @@ class Screen {
     // Interface code goes between begin and end. begin() is false while the window has no area: draw nothing
     // then and do not call end().
     bool begin();
-    // Shows `picture` with its corner at (x, y), and the interface, which covers the rest; or the interface alone.
+    // Shows `picture` with its corner at (x, y), and the interface, which covers the rest; or the interface
+    // alone.
     void end(const Picture* picture, int x, int y);
 
     PixelSize size() const { return canvas_.size(); }

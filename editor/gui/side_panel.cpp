@@ -63,7 +63,8 @@ void draw_brush_section(Desk& desk) {
     brush_slider(desk, "spacing", "Spacing");
     if (desk.session.brush().tool == Tool::level) brush_slider(desk, "level", "Level");
     if (desk.session.brush().tool == Tool::draw)
-        switch_row("Lower", desk.session.brush().invert, "Draw lowers the surface. Holding Ctrl does the opposite.");
+        switch_row("Lower", desk.session.brush().invert,
+                   "Draw lowers the surface. Holding Ctrl does the opposite.");
 }
 
 void draw_map_section(Desk& desk) {

@@ -24,9 +24,12 @@ std::string formatted(const char* format, ...) {
 
 std::string tool_hint(const Desk& desk) {
     switch (desk.view.brush_drag) {
-        case BrushDrag::radius: return "Move to size the brush, click to keep it, Esc to leave it as it was";
-        case BrushDrag::strength: return "Move to set the strength, click to keep it, Esc to leave it as it was";
-        case BrushDrag::none: break;
+        case BrushDrag::radius:
+            return "Move to size the brush, click to keep it, Esc to leave it as it was";
+        case BrushDrag::strength:
+            return "Move to set the strength, click to keep it, Esc to leave it as it was";
+        case BrushDrag::none:
+            break;
     }
     if (desk.session.in_stroke()) return "Esc cancels the stroke";
     if (desk.session.brush().tool == Tool::draw)
@@ -77,7 +80,8 @@ Item clip_item(const Desk& desk) {
     const std::size_t clipped = desk.session.clipped_texels();
     if (clipped == 0) return {};
     return {formatted("%zu texels at the map's limit", clipped),
-            "The last stroke wanted to go further than 0 or 65535. Raise the amplitude for more room.", kWarning};
+            "The last stroke wanted to go further than 0 or 65535. Raise the amplitude for more room.",
+            kWarning};
 }
 
 }  // namespace
@@ -87,16 +91,18 @@ void draw_status_bar(Desk& desk, const Box& box) {
     const bool unsaved = desk.session.unsaved();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float middle = at.y + ImGui::GetTextLineHeight() / 2;
-    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + points(4), middle}, points(4), unsaved ? kAccent : kGood);
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + points(4), middle}, points(4),
+                                                unsaved ? kAccent : kGood);
     ImGui::Dummy(ImVec2(points(10), ImGui::GetTextLineHeight()));
     tooltip(unsaved ? "The map has changes that are not saved." : "All is saved.");
     ImGui::SameLine();
     ImGui::TextUnformatted(tool_hint(desk).c_str());
     const StageTimes& t = desk.session.times();
-    const Item stages{formatted("edit %.1f  upload %.2f  bounds %.2f  trace %.0f ms", t.edit_ms, t.upload_ms,
-                                t.bounds_ms + t.refit_ms, desk.live.trace_ms()),
-                      "Milliseconds by stage: the last dab's edit of the map, its upload, the bounds of the touched "
-                      "triangles (refit included), and the last trace."};
+    const Item stages{
+        formatted("edit %.1f  upload %.2f  bounds %.2f  trace %.0f ms", t.edit_ms, t.upload_ms,
+                  t.bounds_ms + t.refit_ms, desk.live.trace_ms()),
+        "Milliseconds by stage: the last dab's edit of the map, its upload, the bounds of the touched "
+        "triangles (refit included), and the last trace."};
     const Item memory{formatted("undo %.1f / %.0f MiB", mebibytes(desk.session.undo_bytes()),
                                 mebibytes(desk.session.undo_budget())),
                       "Memory of the undo steps; beyond the budget, the oldest are dropped."};

@@ -15,8 +15,8 @@ class StrokeControl {
 
     bool active() const { return input_.has_value(); }
 
-    // Positions are in pixels of the picture on screen. With Ctrl, draw lowers instead of raising; with Shift,
-    // the stroke smooths. Throws std::invalid_argument when a brush setting is out of its range.
+    // Positions are in pixels of the picture on screen. With Ctrl, draw lowers instead of raising; with
+    // Shift, the stroke smooths. Throws std::invalid_argument when a brush setting is out of its range.
     void begin(const InputEvent& event);
     void move(const InputEvent& event);
     void end(const InputEvent& event);

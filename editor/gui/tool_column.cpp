@@ -43,8 +43,8 @@ struct Icon {
     Profile before, after;
 };
 // In the order of tools(): draw, smooth, flatten, level, erase.
-constexpr std::array kIcons{Icon{flat, bump}, Icon{rough, gentle}, Icon{bumpy_ramp, ramp}, Icon{bump, plateau},
-                            Icon{bump, flat}};
+constexpr std::array kIcons{Icon{flat, bump}, Icon{rough, gentle}, Icon{bumpy_ramp, ramp},
+                            Icon{bump, plateau}, Icon{bump, flat}};
 
 void draw_profile(ImDrawList& list, ImVec2 low, float size, Profile profile, ImU32 colour, float width) {
     constexpr int kSteps = 32;
@@ -92,8 +92,7 @@ void draw_tool_column(Desk& desk, const Box& box) {
     Brush& brush = desk.session.brush();
     for (std::size_t i = 0; i < tools().size(); ++i) {
         const ToolInfo& tool = tools()[i];
-        if (tool_button(tool, kIcons[i % kIcons.size()], size, brush.tool == tool.tool))
-            desk.choose_tool(i);
+        if (tool_button(tool, kIcons[i % kIcons.size()], size, brush.tool == tool.tool)) desk.choose_tool(i);
         tooltip(tool.tooltip, capitalised(tool.name) + "  (" + std::to_string(i + 1) + ")");
     }
     ImGui::End();

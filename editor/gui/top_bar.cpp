@@ -81,11 +81,13 @@ void draw_top_bar(Desk& desk, const Box& box) {
     label("Size");
     ImGui::SetNextItemWidth(points(130));
     bar_slider("##size", brush.radius, {radius * 0.002f, radius * 2, true}, "%.4g");
-    tooltip("Reach of the brush on the displaced surface, in world units.  [ and ] change it, F drags it.", "Size");
+    tooltip("Reach of the brush on the displaced surface, in world units.  [ and ] change it, F drags it.",
+            "Size");
     label("Strength");
     ImGui::SetNextItemWidth(points(110));
     bar_slider("##strength", brush.strength, {0, 1}, "%.2f");
-    tooltip("Draw: height of one pass. Level and erase: how far one stroke goes.  Shift+F drags it.", "Strength");
+    tooltip("Draw: height of one pass. Level and erase: how far one stroke goes.  Shift+F drags it.",
+            "Strength");
     label("Falloff");
     ImGui::SetNextItemWidth(points(96));
     falloff_combo(desk);

@@ -68,9 +68,9 @@ bool bar_slider(const char* label, float& value, const Range& range, const char*
     for (const ImGuiCol part : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
                                 ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
         ImGui::PushStyleColor(part, 0);
-    const bool changed =
-        ImGui::SliderFloat(label, &value, range.low, range.high, format,
-                           ImGuiSliderFlags_AlwaysClamp | (range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+    const bool changed = ImGui::SliderFloat(
+        label, &value, range.low, range.high, format,
+        ImGuiSliderFlags_AlwaysClamp | (range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
     ImGui::PopStyleColor(5);
     return changed;
 }

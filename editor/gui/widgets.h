@@ -32,8 +32,8 @@ bool push_button(const char* label, bool enabled, std::string_view tooltip);
 // Over the last item.
 void tooltip(std::string_view text, std::string_view title = {});
 
-// A dialog in the window's middle, as wide as set before; pair with ImGui::EndPopup() where it returns true. `keep`,
-// where given, becomes false when the user closes it.
+// A dialog in the window's middle, as wide as set before; pair with ImGui::EndPopup() where it returns true.
+// `keep`, where given, becomes false when the user closes it.
 bool begin_modal(const char* title, bool* keep);
 
 // Puts the cursor where a control of the row begins, after drawing its label.

@@ -1,0 +1,220 @@
+"""The real window under Xvfb: strokes by xdotool change picture, map and journal, and replay to the same bytes.
+
+Asserts on the journal and the saved map, on pixels only where a person would look. The validation layers run in
+every case, synchronization included, and any message fails it.
+"""
+import argparse
+import glob
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+
+from desktop import Desktop, Editor, difference, operations, strokes, wait_for
+
+STROKE = [(230 + 5 * i, 260 + 2 * i) for i in range(31)]  # over the asteroid's lit side
+NEAR = (240, 240, 380, 340)  # pixels around it
+FAR = (62, 48, 110, 96)  # sky
+
+
+class Case:
+    def __init__(self, options, folder):
+        self.relievo, self.folder = options.relievo, folder
+        for part in ("scenes/asteroid.json", "meshes/asteroid.obj", "maps/asteroid.png"):
+            target = os.path.join(folder, part)
+            os.makedirs(os.path.dirname(target), exist_ok=True)
+            shutil.copy(os.path.join(options.assets, part), target)
+        self.scene = os.path.join(folder, "scenes", "asteroid.json")
+        self.map = os.path.join(folder, "maps", "asteroid.png")
+        self.journal = os.path.join(folder, "session.jsonl")
+        self.desktop = None
+        self.editor = None
+
+    def open(self, journal=None):
+        if not self.desktop:
+            self.desktop = Desktop(self.folder)
+        self.editor = Editor(self.desktop, self.relievo, self.scene, self.folder, journal)
+        self.editor.screenshot()
+        return self.editor
+
+    def stroke(self, journal, points=STROKE):
+        count = len(strokes(journal))
+        self.desktop.drag(points)
+        return wait_for("the stroke in the journal", lambda: strokes(journal)[count:])[0]
+
+    def recovery_journals(self):
+        return glob.glob(os.path.join(self.folder, "state", "relievo", "*.jsonl"))
+
+    def replay(self, journal, out):
+        subprocess.run([self.relievo, "replay", journal, "-o", out], check=True, capture_output=True)
+
+    def same_bytes(self, first, second):
+        with open(first, "rb") as a, open(second, "rb") as b:
+            assert a.read() == b.read(), f"{first} and {second} differ"
+
+    def close(self):
+        if self.editor and self.editor.process.poll() is None:
+            self.editor.kill()
+        if self.desktop:
+            self.desktop.close()
+
+
+def stroke_saves_and_replays(case):
+    editor = case.open(case.journal)
+    case.desktop.do("mousemove", 300, 30)
+    before = case.desktop.settled_screen()
+    for _ in range(3):
+        stroke = case.stroke(case.journal)
+    assert len(stroke["dabs"]) > 5, stroke
+    assert stroke["brush"]["tool"] == "draw" and not stroke["brush"]["invert"], stroke
+    case.desktop.do("mousemove", 300, 30)
+    after = case.desktop.settled_screen()
+    near, far = difference(before, after, NEAR), difference(before, after, FAR)
+    assert near > 2 and far < 0.5, f"changed by {near} near the stroke and by {far} far from it"
+
+    case.desktop.key("ctrl+z")
+    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
+    case.desktop.key("ctrl+shift+z")
+    wait_for("the redo", lambda: operations(case.journal)[-1]["op"] == "redo")
+
+    saved, replayed = os.path.join(case.folder, "saved.tif"), os.path.join(case.folder, "replayed.tif")
+    editor.save_as(saved)
+    wait_for("the record of the save", lambda: operations(case.journal)[-1]["op"] == "save")
+    case.desktop.key("ctrl+q")
+    editor.ended()
+    assert not case.recovery_journals(), "nothing is unsaved, but a recovery journal stayed"
+    case.replay(case.journal, replayed)
+    case.same_bytes(saved, replayed)
+
+
+def modifiers_and_cancel(case):
+    editor = case.open(case.journal)
+    case.desktop.do("keydown", "ctrl")
+    assert case.stroke(case.journal)["brush"]["invert"]
+    case.desktop.do("keyup", "ctrl")
+    case.desktop.do("keydown", "shift")
+    assert case.stroke(case.journal)["brush"]["tool"] == "smooth"
+    case.desktop.do("keyup", "shift")
+    case.desktop.key("3")
+    assert case.stroke(case.journal)["brush"]["tool"] == "flatten"
+
+    # Esc leaves no trace; nor does a stroke beside the object.
+    case.desktop.drag(STROKE, before_release=lambda: case.desktop.key("Escape"))
+    case.desktop.drag([(70, 60), (90, 60)])
+    # Three ways of turning the camera, none of them a stroke.
+    case.desktop.drag(STROKE, button=2)
+    case.desktop.do("keydown", "alt")
+    case.desktop.drag(STROKE)
+    case.desktop.do("keyup", "alt")
+    case.desktop.do("click", "4")
+    case.desktop.key("bracketright")
+    camera = wait_for("the camera in the journal", lambda: [op for op in operations(case.journal)
+                                                             if op["op"] == "set" and op["key"] == "camera"])
+    assert len(camera[-1]["value"]) == 10, camera
+    last = case.stroke(case.journal, [(310, 300), (330, 300)])
+    assert len(strokes(case.journal)) == 4, operations(case.journal)
+    assert last["brush"]["radius"] > 1.1 * strokes(case.journal)[0]["brush"]["radius"]
+    saved, replayed = os.path.join(case.folder, "saved.png"), os.path.join(case.folder, "replayed.png")
+    editor.save_as(saved)
+    case.desktop.key("ctrl+q")
+    editor.ended()
+    case.replay(case.journal, replayed)
+    case.same_bytes(saved, replayed)
+
+
+def crash_offers_recovery(case):
+    editor = case.open()
+    case.desktop.drag(STROKE)
+    journal = wait_for("the recovery journal", case.recovery_journals)[0]
+    wait_for("the stroke in it", lambda: strokes(journal))
+    # The second stroke is under way when the program dies: it alone is lost.
+    case.desktop.drag(STROKE, before_release=editor.kill)
+    kept = shutil.copy(journal, os.path.join(case.folder, "kept.jsonl"))
+    expected, restored = os.path.join(case.folder, "expected.tif"), os.path.join(case.folder, "restored.tif")
+    case.replay(kept, expected)
+
+    editor = case.open()
+    case.desktop.key("Return")  # Restore
+    wait_for("the journal to be replayed", lambda: not os.path.exists(journal))
+    editor.focus()
+    editor.screenshot()
+    editor.save_as(restored)
+    case.desktop.key("ctrl+q")
+    editor.ended()
+    case.same_bytes(expected, restored)
+    assert not case.recovery_journals()
+
+
+def quit_asks_for_unsaved_work(case):
+    with open(case.map, "rb") as file:
+        before = file.read()
+    editor = case.open(case.journal)
+    case.stroke(case.journal)
+    case.desktop.key("ctrl+q")
+    editor.screenshot()
+    case.desktop.key("Escape")
+    editor.screenshot()  # it is still there
+    with open(case.map, "rb") as file:
+        assert file.read() == before, "saved without being told to"
+    case.desktop.key("ctrl+q")
+    editor.screenshot()
+    case.desktop.key("Return")  # Save
+    editor.ended()
+    with open(case.map, "rb") as file:
+        assert file.read() != before, "the stroke was not saved"
+
+
+def resized_and_reopened(case):
+    editor = case.open(case.journal)
+    for width, height in ((700, 450), (899, 599), (640, 400), (900, 600)):
+        case.desktop.do("windowsize", editor.window, width, height)
+        editor.screenshot()
+    for name in ("Tab", "Tab", "KP_1", "KP_3", "KP_7", "a", "F1", "Escape", "f"):
+        case.desktop.key(name)
+    case.desktop.do("mousemove", 320, 300)
+    case.desktop.key("Escape")
+    # Ctrl+O opens the scene once more, by its name in the dialog: a second device and window surface.
+    case.desktop.key("ctrl+o")
+    editor.screenshot()
+    case.desktop.do("type", "--delay", "30", case.scene)
+    time.sleep(0.5)
+    case.desktop.key("Return")
+    time.sleep(1)
+    editor.focus()
+    editor.screenshot()
+    case.desktop.key("ctrl+q")
+    editor.ended()
+
+
+def no_display(case):
+    environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    result = subprocess.run([case.relievo, "edit", case.scene], env=environment, capture_output=True, text=True)
+    assert result.returncode == 1, result
+    lines = result.stderr.strip().split("\n")
+    assert len(lines) == 1 and "display" in lines[0].lower(), result.stderr
+
+
+def main():
+    cases = {function.__name__: function
+             for function in (stroke_saves_and_replays, modifiers_and_cancel, crash_offers_recovery,
+                              quit_asks_for_unsaved_work, resized_and_reopened, no_display)}
+    parser = argparse.ArgumentParser()
+    parser.add_argument("case", choices=cases)
+    parser.add_argument("--relievo", required=True)
+    parser.add_argument("--assets", required=True)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        case = Case(options, folder)
+        try:
+            cases[options.case](case)
+        except BaseException:
+            if case.editor:
+                print(case.editor.output())
+            raise
+        finally:
+            case.close()
+
+
+if __name__ == "__main__":
+    main()
