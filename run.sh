@@ -24,7 +24,7 @@ if [ -n "${DISPLAY:-}" ] || [ -n "${WAYLAND_DISPLAY:-}" ]; then
 fi
 out=$root/out/sample
 mkdir -p "$out"
-"$relievo" replay "$assets/strokes/stump_rocks.jsonl" --live --timings --spp 32 \
+"$relievo" replay "$assets/strokes/stump_rocks.jsonl" --live --timings --spp 16 \
     --render-before "$out/before.png" --render "$out/after.png" -o "$out/edited.tif" | tee "$out/timings.txt"
 echo "before.png, after.png, edited.tif (the sculpted map) and timings.txt are in:"
 echo "$out"
