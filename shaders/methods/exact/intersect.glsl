@@ -12,12 +12,14 @@
 // Limits: a shell that folds inside one triangle (several b for one point) is followed on one sheet only.
 //
 // Parameters: x: correct_normals (0 or 1).
-const int kMaxStretches = 4096;      // per triangle: beyond, the ray counts as a miss
+const int kMaxStretches = 32768;     // per triangle: beyond, the ray counts as a miss
 const int kMaxCells = 6;             // a walk is at most 2 texels long
 const int kStartLevel = 3;
 const int kLeastLevel = -8;          // stretches shorter than a texel, where the path is sharply bent
 const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this, so that no ray slips between
-const float kBend = 0.05f;           // texels that a walked path may leave its chord
+const float kBend = 0.05f;           // texels that a walked path may leave its chord,
+const float kChordError = 2e-3f;     // and what that may do to the height, of the amplitude
+const float kFirmBend = 0.1f;        // barycentric: beyond, one Newton step at a stretch's end is not trusted
 
 FUNC float displacement(ObjectData ob, float value) { return ob.amplitude * (value - ob.midlevel); }
 
@@ -62,19 +64,20 @@ FUNC ShellPoint polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cel
 
 // Walks the cells under the chord from a (at tau) to e (span later). `side` is the side of the surface the ray is on.
 FUNC bool walk_cells(Primitive p, ObjectData ob, Shell s, PrismRay r, ShellPoint a, ShellPoint e, float tau, float span,
-                     INOUT(float) side, OUT(SurfaceHit) hit) {
+                     float t_min, INOUT(float) side, OUT(SurfaceHit) hit) {
     ivec2 base = primitive_base(p.base);
     vec2 d = e.tx - a.tx;
     float dh = e.h - a.h;
-    vec2 inverse = vec2(abs(d.x) > 1e-12f ? 1.0f / d.x : 1e30f, abs(d.y) > 1e-12f ? 1.0f / d.y : 1e30f);
-    vec2 forward = vec2(d.x > 0.0f ? 1.0f : 0.0f, d.y > 0.0f ? 1.0f : 0.0f);
-    vec2 bias = vec2(d.x > 0.0f ? 1e-5f : -1e-5f, d.y > 0.0f ? 1e-5f : -1e-5f);
+    // Borders are counted, not found again from the position: on large maps that would round back into the last cell.
+    vec2 forward = vec2(d.x > 0.0f ? 1.0f : -1.0f, d.y > 0.0f ? 1.0f : -1.0f);
+    vec2 cell = floor(a.tx), apart = abs(d);
+    vec2 leave = vec2(apart.x > 1e-12f ? (d.x > 0.0f ? cell.x + 1.0f - a.tx.x : a.tx.x - cell.x) / apart.x : 1e30f,
+                      apart.y > 1e-12f ? (d.y > 0.0f ? cell.y + 1.0f - a.tx.y : a.tx.y - cell.y) / apart.y : 1e30f);
+    vec2 across = vec2(1.0f / max(apart.x, 1e-12f), 1.0f / max(apart.y, 1e-12f));
     float from = 0.0f;
     hit.t = 0.0f;
     hit.b = vec2(0.0f, 0.0f);
     for (int i = 0; i < kMaxCells; ++i) {
-        vec2 cell = floor(a.tx + d * from + bias);
-        vec2 leave = (cell + forward - a.tx) * inverse;
         float to = min(max(min(leave.x, leave.y), from), 1.0f);
         vec4 quad = height_quad(p.object, base + ivec2(cell));
         // Height over the patch along the chord, from s = `from` on.
@@ -90,7 +93,7 @@ FUNC bool walk_cells(Primitive p, ObjectData ob, Shell s, PrismRay r, ShellPoint
             float at = tau + span * (from + root);
             vec2 guess = a.b + (e.b - a.b) * (from + root);
             ShellPoint h = polish(p, ob, s, r, cell, quad, guess, 0.1f * span, at);
-            if (in_triangle(h.b) && opaque_at(p, h.b)) {
+            if (in_triangle(h.b) && r.t0 + at >= t_min && opaque_at(p, h.b)) {
                 hit.t = r.t0 + at;
                 hit.b = h.b;
                 return true;
@@ -100,6 +103,13 @@ FUNC bool walk_cells(Primitive p, ObjectData ob, Shell s, PrismRay r, ShellPoint
         }
         from = to;
         if (from >= 1.0f) break;
+        if (leave.x < leave.y) {
+            cell.x += forward.x;
+            leave.x += across.x;
+        } else {
+            cell.y += forward.y;
+            leave.y += across.y;
+        }
     }
     return false;
 }
@@ -115,7 +125,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     float tau = r.low;
     ShellPoint a = shell_point(p, s, r, tau, vec2(guess.y, guess.z), 2);
     // Through the top or the bottom of its own height range the side is known; else it is looked up when needed.
-    float side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
+    float side = r.from_side || r.from_inside || !in_triangle(a.b) ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
     float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high));
     ivec2 base = primitive_base(p.base);
     int level = kStartLevel;
@@ -131,11 +141,12 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         vec2 low = min(a.tx, e.tx) - vec2(bend + 1e-3f), extent = max(a.tx, e.tx) + vec2(bend + 1e-3f) - low;
         float most = max(reach, 2.0f);
         bool held = extent.x <= most && extent.y <= most;  // false for NaN as well
-        if (!held && level > kLeastLevel) {
+        vec2 off_b = abs(e.b - a.b - a.db * span);
+        bool firm = held && off_b.x <= kFirmBend && off_b.y <= kFirmBend;
+        if (!firm && level > kLeastLevel) {
             --level;
             continue;
         }
-        vec2 off_b = abs(e.b - a.b - a.db * span);
         if (!held || stretch_outside(a.b, e.b, 0.5f * max(off_b.x, off_b.y))) {
             tau = end > tau ? end : r.high;
             a = held ? e : shell_point(p, s, r, tau, vec2(prism_barycentrics(r, tau).y, prism_barycentrics(r, tau).z), 3);
@@ -155,11 +166,12 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
             level = min(level + 1, kPyramidLevels);
             continue;
         }
-        if (level > 1 || (bend > kBend && level > kLeastLevel)) {
+        bool bent = bend > kBend || bend * abs(d1 - d0) + bend_h > kChordError * abs(ob.amplitude);
+        if (level > 1 || (bent && level > kLeastLevel)) {
             --level;
             continue;
         }
-        if (walk_cells(p, ob, s, r, a, e, tau, span, side, hit)) return hit.t >= t_min && hit.t <= t_max;
+        if (walk_cells(p, ob, s, r, a, e, tau, span, t_min, side, hit)) return hit.t <= t_max;
         tau = end > tau ? end : r.high;
         a = e;
     }
