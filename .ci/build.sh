@@ -11,9 +11,9 @@ relievo_build() {  # preset, target...
         echo "relievo: configuring ($preset)" >&2
         cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; rm -f "$log"; return 1; }
     fi
-    if ! ninja -C "$folder" -n "$@" 2>/dev/null | grep -q "no work to do"; then
-        echo "relievo: building ($preset)" >&2
-        cmake --build "$folder" --target "$@" >"$log" 2>&1 || { grep -E -A12 "error|FAILED" "$log" | head -n 60 >&2; rm -f "$log"; return 1; }
+    if ninja -C "$folder" -n "$@" 2>/dev/null | grep -qE "Building|Linking|Generating"; then
+        echo "relievo: building ($preset); the first time takes minutes" >&2
     fi
+    ninja -C "$folder" "$@" >"$log" 2>&1 || { grep -E -A12 "error|FAILED" "$log" | head -n 60 >&2; rm -f "$log"; return 1; }
     rm -f "$log"
 }
