@@ -59,6 +59,10 @@ Departure App::run() {
         live_.work(kTraceMs);
         follow_pointer();
         update_title();
+        if (const std::string trouble = desk_.session.journal_error(); trouble != journal_trouble_) {
+            journal_trouble_ = trouble;
+            if (!trouble.empty()) toasts_.error(trouble);
+        }
     }
     return *desk_.departure;
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <string>
 
 #include "editor/gui/desk.h"
 #include "editor/gui/dialogs.h"
@@ -40,7 +41,8 @@ class App {
     PointerControl pointer_;
     Dialogs dialogs_;
     Layout layout_;
-    double x_ = -1, y_ = -1;  // of the pointer, window pixels
+    std::string journal_trouble_;  // as last shown
+    double x_ = -1, y_ = -1;       // of the pointer, window pixels
     int closing_frames_ =
         0;  // after a dialog closed: what Dear ImGui says about typing is still the dialog's
     bool pointer_stale_ = false;  // the surface under the pointer may have changed

@@ -15,6 +15,8 @@ namespace relievo::gui {
 namespace {
 
 constexpr std::size_t kRingPoints = 64;
+constexpr int kEvenRounds = 6;
+constexpr float kMostHeight = 0.6f;  // of the radius: what lies further is another part of the relief
 
 // The circle's radius where the surface stands `height` over its plane; never so small that the ring folds.
 float shrunk(float radius, float height) {
@@ -23,7 +25,7 @@ float shrunk(float radius, float height) {
 
 // Over cracks and cliffs the ring follows the surface's broad shape: jagged, it would hide what it marks.
 void even_out(std::array<float, kRingPoints>& height) {
-    for (int round = 0; round < 2; ++round) {
+    for (int round = 0; round < kEvenRounds; ++round) {
         const auto before = height;
         for (std::size_t i = 0; i < kRingPoints; ++i)
             height[i] = 0.5f * before[i] +
@@ -54,7 +56,7 @@ std::vector<glm::vec3> ring_around(Renderer& renderer, const PickHit& centre, fl
         const std::vector<PickHit> hits = renderer.pick(rays);
         for (std::size_t i = 0; i < height.size(); ++i) {
             const float fresh = hits[i].hit ? radius - hits[i].distance : 0;
-            height[i] = std::abs(fresh) < radius ? fresh : 0;
+            height[i] = std::clamp(fresh, -kMostHeight * radius, kMostHeight * radius);
         }
         even_out(height);
     }

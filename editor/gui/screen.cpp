@@ -125,7 +125,9 @@ void Screen::end(const Picture* picture, int x, int y) {
     canvas_.record(
         commands_,
         [&](VkCommandBuffer cmd) {
-            if (picture) {
+            const bool fits = picture && x + picture->size().width <= size().width &&
+                              y + picture->size().height <= size().height;  // not in a tiny window
+            if (fits) {
                 picture->record_copy(cmd, canvas_.image(), x, y);
             } else {
                 canvas_.record_clear(cmd);

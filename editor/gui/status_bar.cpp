@@ -48,11 +48,14 @@ struct Item {
 };
 
 // From right to left, so that the rightmost stay where they are.
+// What finds no room is left out.
 void draw_right(const Box& box, std::initializer_list<Item> items) {
+    const float left = ImGui::GetItemRectMax().x + points(18);
     float x = static_cast<float>(box.width) - points(12);
     for (const Item& item : items) {
         if (item.text.empty()) continue;
         x -= ImGui::CalcTextSize(item.text.c_str()).x;
+        if (x < left) return;
         ImGui::SameLine(x);
         ImGui::PushStyleColor(ImGuiCol_Text, item.colour);
         ImGui::TextUnformatted(item.text.c_str());
@@ -108,7 +111,7 @@ void draw_status_bar(Desk& desk, const Box& box) {
                       "Memory of the undo steps; beyond the budget, the oldest are dropped."};
     const std::string trouble = desk.session.journal_error();
     const Item journal{trouble.empty() ? "" : "journal cannot be written", trouble, kError};
-    draw_right(box, {memory, stages, progress_item(desk), surface_item(desk), clip_item(desk), journal});
+    draw_right(box, {journal, clip_item(desk), memory, stages, progress_item(desk), surface_item(desk)});
     ImGui::End();
 }
 

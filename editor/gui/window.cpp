@@ -137,13 +137,21 @@ void Window::set_title(const std::string& title) {
 }
 
 void Window::poll() {
-    forward_releases();
+    before_events();
     glfwPollEvents();
 }
 
 void Window::wait(double seconds) {
-    forward_releases();
+    before_events();
     glfwWaitEventsTimeout(seconds);
+}
+
+void Window::before_events() {
+    forward_releases();
+    int units = 1, ignored = 1;
+    glfwGetWindowSize(handle_, &units, &ignored);
+    if (const PixelSize size = framebuffer(); size.width > 0 && units > 0)
+        pixels_per_unit_ = static_cast<double>(size.width) / units;
 }
 
 void Window::forward_releases() {
@@ -162,10 +170,6 @@ void Window::refuse_close() {
 }
 
 void Window::add(InputEvent event) {
-    int units = 1, ignored = 1;
-    glfwGetWindowSize(handle_, &units, &ignored);
-    if (const PixelSize size = framebuffer(); size.width > 0 && units > 0)
-        pixels_per_unit_ = static_cast<double>(size.width) / units;
     event.time_us = now_us() - start_us_;
     event.x = x_ * pixels_per_unit_;
     event.y = y_ * pixels_per_unit_;

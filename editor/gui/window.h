@@ -57,6 +57,7 @@ class Window {
     struct KeyRelease {
         int key, scancode, mods;
     };
+    void before_events();
     void forward_releases();
 
     std::deque<InputEvent> events_;

@@ -69,14 +69,17 @@ class Desktop:
         return Screen(os.path.join(self.buffer, "Xvfb_screen0"))
 
     def settled_screen(self):
-        """A screen that hardly changes any more."""
+        """A screen that shows a lit object and hardly changes any more. Messages stand below the box."""
+        box = (60, 50, 560, 460)
         last = [self.screen()]
 
         def is_still():
             time.sleep(1)
             now = self.screen()
             before, last[0] = last[0], now
-            return difference(before, now, (60, 50, 560, 560)) < 0.05 and now
+            pixels = now.box(*box)
+            lit = sum(value > 120 for value in pixels) > len(pixels) / 50
+            return lit and difference(before, now, box) < 0.05 and now
 
         return wait_for("the picture to come to rest", is_still)
 
@@ -109,7 +112,9 @@ class Editor:
         environment = {**os.environ, "DISPLAY": desktop.display, "RELIEVO_VALIDATION": "1",
                        "XDG_STATE_HOME": os.path.join(folder, "state")}
         environment.pop("WAYLAND_DISPLAY", None)
-        command = [relievo, "edit", scene, "--size", f"{desktop.WIDTH}x{desktop.HEIGHT}"]
+        command = [relievo, "edit", "--size", f"{desktop.WIDTH}x{desktop.HEIGHT}"]
+        if scene:
+            command.append(scene)
         if journal:
             command += ["--journal", journal]
         with open(self.log, "w") as log:
@@ -122,7 +127,7 @@ class Editor:
 
     def find_window(self):
         assert self.process.poll() is None, f"the program ended: {self.output()}"
-        found = subprocess.run(["xdotool", "search", "--name", " - Relievo"], capture_output=True, text=True,
+        found = subprocess.run(["xdotool", "search", "--name", "Relievo"], capture_output=True, text=True,
                                env={**os.environ, "DISPLAY": self.desktop.display})
         return found.stdout.split()
 

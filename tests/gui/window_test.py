@@ -167,7 +167,7 @@ def quit_asks_for_unsaved_work(case):
 
 def resized_and_reopened(case):
     editor = case.open(case.journal)
-    for width, height in ((700, 450), (899, 599), (640, 400), (900, 600)):
+    for width, height in ((700, 450), (899, 599), (640, 400), (200, 60), (900, 600)):
         case.desktop.do("windowsize", editor.window, width, height)
         editor.screenshot()
     for name in ("Tab", "Tab", "KP_1", "KP_3", "KP_7", "a", "F1", "Escape", "f"):
@@ -187,6 +187,19 @@ def resized_and_reopened(case):
     editor.ended()
 
 
+def no_scene_asks_for_one(case):
+    case.desktop = Desktop(case.folder)
+    case.editor = Editor(case.desktop, case.relievo, None, case.folder, case.journal)
+    time.sleep(1)  # the dialog's list takes the keyboard after a few frames
+    case.desktop.do("type", "--delay", "30", case.scene)
+    time.sleep(0.5)
+    case.desktop.key("Return")
+    wait_for("the scene's journal", lambda: os.path.exists(case.journal))
+    case.editor.screenshot()
+    case.desktop.key("ctrl+q")
+    case.editor.ended()
+
+
 def no_display(case):
     environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
     result = subprocess.run([case.relievo, "edit", case.scene], env=environment, capture_output=True, text=True)
@@ -198,7 +211,7 @@ def no_display(case):
 def main():
     cases = {function.__name__: function
              for function in (stroke_saves_and_replays, modifiers_and_cancel, crash_offers_recovery,
-                              quit_asks_for_unsaved_work, resized_and_reopened, no_display)}
+                              quit_asks_for_unsaved_work, resized_and_reopened, no_scene_asks_for_one, no_display)}
     parser = argparse.ArgumentParser()
     parser.add_argument("case", choices=cases)
     parser.add_argument("--relievo", required=True)
