@@ -83,6 +83,20 @@ struct WindowCallbacks {
     }
 };
 
+namespace {
+
+// A window larger than the screen would hide its panels.
+PixelSize fitted_to_screen(PixelSize size) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return size;
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+    if (width <= 0 || height <= 0) return size;
+    return {std::min(size.width, width), std::min(size.height, height)};
+}
+
+}  // namespace
+
 Window::Window(PixelSize size) : start_us_(now_us()) {
     if (!glfwInit())
         throw std::runtime_error("cannot open a window: " + last_glfw_error() +
@@ -94,6 +108,7 @@ Window::Window(PixelSize size) : start_us_(now_us()) {
             "mesa-vulkan-drivers");
     }
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    size = fitted_to_screen(size);
     handle_ = glfwCreateWindow(size.width, size.height, "Relievo", nullptr, nullptr);
     if (!handle_) {
         const std::string reason = last_glfw_error();

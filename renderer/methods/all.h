@@ -1,11 +1,16 @@
-// One declaration a method, for the registry.
+// The list of methods: one line each, the first is the default. Everything else follows from it.
 #pragma once
 
 #include "renderer/methods/registry.h"
 
+#define RELIEVO_METHODS(METHOD) \
+    METHOD(kPdm)                \
+    METHOD(kExact)
+
 namespace relievo {
 
-extern const Method kExact;
-extern const Method kPdm;
+#define RELIEVO_DECLARE(method) extern const Method method;
+RELIEVO_METHODS(RELIEVO_DECLARE)
+#undef RELIEVO_DECLARE
 
 }  // namespace relievo

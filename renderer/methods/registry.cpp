@@ -1,8 +1,7 @@
-// The explicit registry: one line a method, the first is the default.
+// The explicit registry over the list in all.h.
 #include "renderer/methods/registry.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -12,10 +11,9 @@
 namespace relievo {
 namespace {
 
-constexpr std::array kMethods{
-    &kPdm,
-    &kExact,
-};
+#define RELIEVO_ADDRESS(method) &method,
+constexpr const Method* kMethods[] = {RELIEVO_METHODS(RELIEVO_ADDRESS)};
+#undef RELIEVO_ADDRESS
 
 std::string number(double value) {
     std::ostringstream text;
@@ -38,7 +36,7 @@ const MethodParameter& find_parameter(const Method& method, const std::string& n
 std::span<const Method* const> methods() { return kMethods; }
 
 const Method& find_method(std::string_view name) {
-    if (name.empty()) return *kMethods.front();
+    if (name.empty()) return *kMethods[0];
     std::string known;
     for (const Method* m : kMethods) {
         if (m->name == name) return *m;

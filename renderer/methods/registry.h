@@ -1,5 +1,5 @@
 // The methods and their parameters as data: menus, the command line's help, tests and comparison read this table.
-// To add a method: shaders/methods/<name>/intersect.glsl, renderer/methods/<name>.cpp, one line in registry.cpp.
+// To add a method: shaders/methods/<name>/intersect.glsl, renderer/methods/<name>.cpp, one line in methods/all.h.
 #pragma once
 
 #include <map>

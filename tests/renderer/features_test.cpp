@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 #include "tests/support/scenes.h"
 
 namespace relievo::test {
@@ -30,6 +33,25 @@ TEST(Features, ADarkSceneTracesNoShadows) {
     EXPECT_FALSE(f.shadows);
     EXPECT_FALSE(f.sky);
     EXPECT_TRUE(derive_features(scene, request_of(true)).shadows);
+}
+
+// What each sample scene builds, by name; all else is left out.
+TEST(Features, SampleScenesBuildWhatTheyNeed) {
+    const std::vector<std::string> usual{"base mesh prisms", "displacement maps", "height bounds", "shadows",
+                                         "sky light",        "gloss",             "ray query",     "image"};
+    for (const char* name : {"plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot", "fur"}) {
+        for (const char* method : {"pdm", "exact"}) {
+            const Scene scene = load_scene(std::string(RELIEVO_SAMPLE_SCENES) + "/" + name + ".json");
+            std::set<std::string> expected(usual.begin(), usual.end());
+            if (std::string(name) == "chainmail") expected.insert("opacity maps");
+            if (std::string(method) == "exact") expected.insert("min-max pyramid");
+            const FeatureRequest request{&find_method(method), false, false, false};
+            std::set<std::string> built;
+            for (const Feature& f : describe_features(scene, request, derive_features(scene, request)).features)
+                if (f.built) built.insert(f.name);
+            EXPECT_EQ(built, expected) << name << " by " << method;
+        }
+    }
 }
 
 TEST(Features, EachFeatureHasAReason) {
