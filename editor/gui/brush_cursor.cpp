@@ -43,8 +43,9 @@ glm::vec3 ring_point(glm::vec3 centre, glm::vec3 u, glm::vec3 v, std::size_t ind
 // onto the surface along the normal, then again from a smaller circle where the surface lies lower or higher,
 // so that their distance to the centre is the radius. Where nothing is near (past a silhouette), they stay in
 // the plane.
-std::vector<glm::vec3> ring_around(Renderer& renderer, const PickHit& centre, float radius) {
-    const glm::vec3 n = centre.normal;
+// The plane is across the direction in which the surface is displaced there: its own normal would tip over in
+// every groove.
+std::vector<glm::vec3> ring_around(Renderer& renderer, const PickHit& centre, glm::vec3 n, float radius) {
     const glm::vec3 other = std::abs(n.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
     const glm::vec3 u = glm::normalize(glm::cross(n, other)), v = glm::cross(n, u);
     std::array<float, kRingPoints> height{};  // over the tangent plane
@@ -64,6 +65,14 @@ std::vector<glm::vec3> ring_around(Renderer& renderer, const PickHit& centre, fl
     for (std::size_t i = 0; i < height.size(); ++i)
         ring.push_back(ring_point(centre.position, u, v, i, shrunk(radius, height[i])) + n * height[i]);
     return ring;
+}
+
+glm::vec3 displacing_normal(const Mesh& mesh, const PickHit& hit) {
+    const auto& corner = mesh.faces[hit.face].position;
+    const glm::vec3 n = mesh.normals[corner[0]] * (1 - hit.b1 - hit.b2) + mesh.normals[corner[1]] * hit.b1 +
+                        mesh.normals[corner[2]] * hit.b2;
+    const float length = glm::length(n);
+    return length > 0 ? n / length : hit.normal;  // opposite normals cancel on a folded mesh
 }
 
 // The map's value at a point of the base mesh, bilinear between texel centres, in counts.
@@ -98,14 +107,15 @@ void BrushCursor::follow(Session& session, const LivePicture& live, double x, do
     centre_.reset();
     if (!hit.hit || hit.object != 0) return;
     centre_ = hit;
-    ring_ = ring_around(renderer, hit, session.brush().radius);
+    normal_ = displacing_normal(session.scene().objects.front().mesh, hit);
+    ring_ = ring_around(renderer, hit, normal_, session.brush().radius);
     const Displacement& d = session.scene().objects.front().displacement;
     spot_.counts = counts_at(session, hit);
     spot_.height = d.amplitude * (spot_.counts / 65535 - d.midlevel);
 }
 
 void BrushCursor::resize(Session& session) {
-    if (centre_) ring_ = ring_around(session.renderer(), *centre_, session.brush().radius);
+    if (centre_) ring_ = ring_around(session.renderer(), *centre_, normal_, session.brush().radius);
 }
 
 std::optional<BrushCursor::Spot> BrushCursor::spot() const {
@@ -133,7 +143,7 @@ void BrushCursor::draw(ImDrawList& list, Session& session, PixelSize picture, do
     }
     // The normal shows how the surface lies where the ring is seen edge on.
     const auto foot = on_screen(centre_->position);
-    const auto tip = on_screen(centre_->position + centre_->normal * (0.35f * session.brush().radius));
+    const auto tip = on_screen(centre_->position + normal_ * (0.35f * session.brush().radius));
     if (foot && tip) list.AddLine(*foot, *tip, lit ? kAccent : kRing, 1.2f);
 }
 

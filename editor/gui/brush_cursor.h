@@ -1,7 +1,7 @@
 // The surface under the pointer: its height, and the brush's circle lying on it.
 #pragma once
 
-#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
@@ -31,6 +31,7 @@ class BrushCursor {
 
   private:
     std::optional<PickHit> centre_;
+    glm::vec3 normal_{0};  // of the base surface there, unit
     Spot spot_;
     std::vector<glm::vec3> ring_;  // points on the surface, rebased space
 };

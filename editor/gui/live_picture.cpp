@@ -20,7 +20,7 @@ constexpr double kStillAfterMs = 160;  // without a change, the motion is over
 constexpr int kCoarsest = 8;
 // The first samples are noisier than the preview that they replace: they are shown together.
 constexpr int kFirstShown = 4;
-constexpr double kShownAtLatestMs = 1500;
+constexpr double kShownAtLatestMs = 3000;
 
 double ms_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
