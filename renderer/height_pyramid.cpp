@@ -79,7 +79,8 @@ HeightPyramid::Node HeightPyramid::overlapping(int level, int x, int y) const {
 
 // A span of nodes as half-open pieces inside [0, size): clipped under clamp, wrapped under repeat.
 std::vector<HeightPyramid::Span> HeightPyramid::split(Span span, int size) const {
-    span.last = std::min(span.last, size - 1);  // what lies beyond belongs to the last node
+    span.first = std::min(span.first, size - 1);  // what lies beyond belongs to the last node
+    span.last = std::min(span.last, size - 1);
     if (span.last - span.first + 1 >= size) return {{0, size}};
     if (span.first >= 0) return {{span.first, span.last + 1}};
     if (wrap_ == Wrap::clamp) return {{0, span.last + 1}};
