@@ -11,7 +11,7 @@ relievo_build() {  # preset, target...
         echo "relievo: configuring ($preset)" >&2
         cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; rm -f "$log"; return 1; }
     fi
-    if ninja -C "$folder" -n "$@" 2>/dev/null | grep -qE "Building|Linking|Generating"; then
+    if ninja -C "$folder" -n "$@" 2>/dev/null | grep -cE "Building|Linking|Generating" >/dev/null; then
         echo "relievo: building ($preset); the first time takes minutes" >&2
     fi
     ninja -C "$folder" "$@" >"$log" 2>&1 || { grep -E -A12 "error|FAILED" "$log" | head -n 60 >&2; rm -f "$log"; return 1; }
