@@ -46,6 +46,7 @@ void App::offer(std::vector<AbandonedJournal> abandoned) {
 }
 
 Departure App::run() {
+    draw();  // the first picture may have to wait for a compiler
     while (!desk_.departure) {
         wait_for_input();
         handle_input();
@@ -54,10 +55,10 @@ Departure App::run() {
             pointer_.cancel();
             desk_.leave({});
         }
-        // While the picture only refines, the device's time is the tracer's.
-        if (frames_due_ > 0 || live_.take_changed() || ms_since(last_drawn_) > kUnhurriedMs) draw();
         live_.work(kTraceMs);
         follow_pointer();
+        // While the picture only refines, the device's time is the tracer's.
+        if (frames_due_ > 0 || live_.take_changed() || ms_since(last_drawn_) > kUnhurriedMs) draw();
         update_title();
         if (const std::string trouble = desk_.session.journal_error(); trouble != journal_trouble_) {
             journal_trouble_ = trouble;

@@ -39,6 +39,10 @@ Picture::Picture(vulkan::Context& context, VkFormat format)
     resize({1, 1});
 }
 
+Picture::~Picture() {
+    vkDeviceWaitIdle(context_->device());
+}
+
 void Picture::resize(PixelSize size) {
     if (size == this->size()) return;
     vulkan::Image old = std::move(image_);

@@ -13,6 +13,9 @@ class Picture {
   public:
     // `format`: the canvas's, so that frames copy bytes.
     Picture(vulkan::Context& context, VkFormat format);
+    ~Picture();  // waits for the last frame that shows it
+    Picture(const Picture&) = delete;
+    Picture& operator=(const Picture&) = delete;
 
     PixelSize size() const { return {image_.width(), image_.height()}; }
     // What was shown is stretched to the new size until something new is copied.
