@@ -12,6 +12,9 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
+// Above it the parallel prism says too little about where the surface is.
+constexpr float kMostShellMargin = 0.5f;
+
 int floor_mod(double value, int size) {
     const double wrapped = std::fmod(value, size);
     return static_cast<int>(wrapped < 0 ? wrapped + size : wrapped);
@@ -49,8 +52,8 @@ double offset_area(const gpu::Primitive& p, double w) {
     return a.x * b.y - a.y * b.x;
 }
 
-bool turns_over(const gpu::Primitive& p) {
-    // A quadratic in w: its least value over the range is at an end or at the vertex.
+// The least of it over the primitive's heights: a quadratic in w, so at an end or at the vertex.
+double least_offset_area(const gpu::Primitive& p) {
     const double f0 = offset_area(p, 0), f1 = offset_area(p, 1), f2 = offset_area(p, -1);
     const double square = (f1 + f2) / 2 - f0, linear = (f1 - f2) / 2;
     double least = std::min(offset_area(p, p.w_low), offset_area(p, p.w_high));
@@ -58,7 +61,17 @@ bool turns_over(const gpu::Primitive& p) {
         const double vertex = -linear / (2 * square);
         if (vertex > p.w_low && vertex < p.w_high) least = std::min(least, offset_area(p, vertex));
     }
-    return !(least > 1e-3 * f0);
+    return least;
+}
+
+bool turns_over(const gpu::Primitive& p) { return !(least_offset_area(p) > 1e-3 * offset_area(p, 0)); }
+
+// How far beside the base triangle the surface may stand: |D| sin of the greatest angle between N_i and ng.
+double lateral_reach(const gpu::Primitive& p) {
+    double most = 0;
+    for (const glm::vec2& shift : {p.shift0, p.shift1, p.shift2})
+        most = std::max(most, static_cast<double>(glm::dot(shift, shift)));
+    return std::max(std::abs(double{p.w_low}), std::abs(double{p.w_high})) * std::sqrt(most / (1 + most));
 }
 
 void split(std::vector<std::uint32_t>& order, const std::vector<glm::vec3>& centres, std::size_t first,
@@ -145,24 +158,34 @@ void set_shell_margin(gpu::Primitive& p) {
         most = std::max(most, k);
         apart = std::max(apart, static_cast<double>(glm::length(shifts[i] - shifts[(i + 1) % 3])));
     }
-    const double reach = std::max(std::abs(p.w_low), std::abs(p.w_high)) * (most / least - 1) * apart;
-    // In barycentrics of the smallest offset triangle: over its least altitude.
-    const double area = std::max(std::min(offset_area(p, p.w_low), offset_area(p, p.w_high)), 1e-3 * offset_area(p, 0));
+    const double height = std::max(std::abs(double{p.w_low}), std::abs(double{p.w_high}));
+    const double reach = height * (most / least - 1) * apart;
+    // As the clipping wants it: of the base triangle's area. As barycentrics of the smallest offset triangle no less.
+    const double base = offset_area(p, 0), area = std::clamp(least_offset_area(p), 1e-3 * base, base);
     const double edge = std::max<double>({p.q1x, glm::length(p.q2), glm::length(p.q2 - glm::vec2(p.q1x, 0))});
-    p.shell_margin = static_cast<float>(reach * (edge + 2 * reach) / area);
+    p.shell_margin = static_cast<float>(reach * (edge + height * apart) / area);
+    if (p.shell_margin > kMostShellMargin) p.flags |= gpu::kPrimitiveFolded;
 }
 
 Box prism_box(const gpu::Primitive& p) {
     const glm::vec3 bitangent = glm::cross(p.ng, p.tangent);
+    // Where the parallel prism says little about the surface, the base triangle with room to every side does.
+    const bool by_reach = p.shell_margin > 0 && (p.flags & gpu::kPrimitiveFolded) != 0;
+    const float lean = by_reach ? 0.0f : 1.0f;
     Box box{glm::vec3(1e30f), glm::vec3(-1e30f)};
     for (const float w : {p.w_low, p.w_high}) {
-        for (const glm::vec2& q : {p.shift0 * w, glm::vec2(p.q1x, 0) + p.shift1 * w, p.q2 + p.shift2 * w}) {
+        const float shift = lean * w;
+        for (const glm::vec2& q :
+             {p.shift0 * shift, glm::vec2(p.q1x, 0) + p.shift1 * shift, p.q2 + p.shift2 * shift}) {
             const glm::vec3 corner = p.origin + p.tangent * q.x + bitangent * q.y + p.ng * w;
             box.low = glm::min(box.low, corner);
             box.high = glm::max(box.high, corner);
         }
     }
-    const glm::vec3 margin = (box.high - box.low) * (2e-5f + 2 * p.shell_margin) + glm::max(glm::abs(box.low), glm::abs(box.high)) * 1e-6f;
+    const float sides = by_reach ? 0.0f : 2 * p.shell_margin;
+    const glm::vec3 margin = (box.high - box.low) * (2e-5f + sides) +
+                             glm::max(glm::abs(box.low), glm::abs(box.high)) * 1e-6f +
+                             (by_reach ? static_cast<float>(lateral_reach(p)) : 0.0f);
     return {box.low - margin, box.high + margin};
 }
 

@@ -39,7 +39,8 @@ struct Primitive {
     float shell_margin;  // how far, in barycentrics, the surface may reach over the parallel prism's sides
 };
 RELIEVO_CONST uint kPrimitiveOpenEdge0 = 1u;  // bit i: the edge opposite vertex i belongs to this triangle alone
-RELIEVO_CONST uint kPrimitiveFolded = 8u;     // the offset triangle turns over between w_low and w_high
+RELIEVO_CONST uint kPrimitiveFolded = 8u;     // the offset triangle turns over between w_low and w_high, or
+                                              // (where shell_margin > 0) says too little about the surface
 
 // What only a hit needs.
 struct PrimitiveNormals {

@@ -11,7 +11,9 @@ void raise(TestMap& map, const TexelRegion& r, std::uint16_t count) {
         for (int x = r.x0; x < r.x1; ++x) map.texels[static_cast<std::size_t>(y * map.width + x)] = count;
 }
 
-TEST(LiveEdit, UploadEqualsARendererBuiltAfresh) {
+RELIEVO_EVERY_METHOD(LiveEdit);
+
+TEST_P(LiveEdit, UploadEqualsARendererBuiltAfresh) {
     const Scene scene = make_scene(ball_mesh(), 0.3);
     TestMap map = bumps(256);
     Renderer live = make_renderer(scene, map, settings_of(scene));
@@ -27,7 +29,7 @@ TEST(LiveEdit, UploadEqualsARendererBuiltAfresh) {
     EXPECT_LE(differ, 4);
 }
 
-TEST(LiveEdit, NothingIsRefittedWhenTheHeightsStayWithinTheirBounds) {
+TEST_P(LiveEdit, NothingIsRefittedWhenTheHeightsStayWithinTheirBounds) {
     const Scene scene = make_scene(plane_mesh(), 0.3);
     TestMap map = make_map(128, 128, [](double u, double) { return u < 0.1 ? 0.0 : u > 0.9 ? 1.0 : 0.5; });
     Renderer live = make_renderer(scene, map, settings_of(scene));
@@ -39,7 +41,7 @@ TEST(LiveEdit, NothingIsRefittedWhenTheHeightsStayWithinTheirBounds) {
     EXPECT_EQ(stats.refit_ms, 0);
 }
 
-TEST(LiveEdit, AmplitudeAndMidlevelChangeLive) {
+TEST_P(LiveEdit, AmplitudeAndMidlevelChangeLive) {
     const TestMap map = bumps(128);
     const Scene small = make_scene(ball_mesh(), 0.1, 0.5), large = make_scene(ball_mesh(), -0.6, 0.2);
     Renderer live = make_renderer(small, map, settings_of(small));
@@ -47,7 +49,7 @@ TEST(LiveEdit, AmplitudeAndMidlevelChangeLive) {
     EXPECT_EQ(live.read_back(Layer::depth), depth_of(large, map, settings_of(large)));
 }
 
-TEST(LiveEdit, OnlyTheWindowLosesItsSamples) {
+TEST_P(LiveEdit, OnlyTheWindowLosesItsSamples) {
     const Scene scene = make_scene(plane_mesh(), 0.2);
     const TestMap map = bumps(64);
     Renderer r = make_renderer(scene, map, settings_of(scene));

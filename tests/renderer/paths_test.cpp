@@ -16,7 +16,9 @@ Scene lit_ball() {
     return scene;
 }
 
-TEST(Paths, RayQueryAndPipelineGiveEqualImages) {
+RELIEVO_EVERY_METHOD(Paths);
+
+TEST_P(Paths, RayQueryAndPipelineGiveEqualImages) {
     if (!device().info().ray_query || !device().info().ray_pipeline) GTEST_SKIP() << "the device has only one path";
     const Scene scene = lit_ball();
     const TestMap map = bumps(256);
@@ -27,7 +29,7 @@ TEST(Paths, RayQueryAndPipelineGiveEqualImages) {
     EXPECT_EQ(depth_of(scene, map, query), depth_of(scene, map, pipeline));
 }
 
-TEST(Paths, PickIsTheSameOnBothPaths) {
+TEST_P(Paths, PickIsTheSameOnBothPaths) {
     if (!device().info().ray_query || !device().info().ray_pipeline) GTEST_SKIP() << "the device has only one path";
     const Scene scene = lit_ball();
     const TestMap map = bumps(128);
@@ -47,7 +49,7 @@ TEST(Paths, PickIsTheSameOnBothPaths) {
     EXPECT_FALSE(hits[0][1].hit);
 }
 
-TEST(Paths, SpecialisedImageEqualsEverythingOn) {
+TEST_P(Paths, SpecialisedImageEqualsEverythingOn) {
     Scene scene = lit_ball();
     scene.objects[0].material.specular = 0;
     const TestMap map = bumps(256);
@@ -58,7 +60,7 @@ TEST(Paths, SpecialisedImageEqualsEverythingOn) {
     for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-6) << "component " << i;
 }
 
-TEST(Paths, PickAgreesWithTheDepthLayer) {
+TEST_P(Paths, PickAgreesWithTheDepthLayer) {
     const Scene scene = lit_ball();
     const TestMap map = bumps(256);
     Renderer r = make_renderer(scene, map, settings_of(scene));
@@ -78,7 +80,7 @@ TEST(Paths, PickAgreesWithTheDepthLayer) {
         }
 }
 
-TEST(Paths, PreviewIsReplacedByTheFirstSample) {
+TEST_P(Paths, PreviewIsReplacedByTheFirstSample) {
     const Scene scene = lit_ball();
     const TestMap map = bumps(128);
     Renderer r = make_renderer(scene, map, settings_of(scene));
@@ -93,7 +95,7 @@ TEST(Paths, PreviewIsReplacedByTheFirstSample) {
     EXPECT_EQ(r.read_back(Layer::beauty), whole);
 }
 
-TEST(Paths, WindowsOfAPassGiveTheWholeImage) {
+TEST_P(Paths, WindowsOfAPassGiveTheWholeImage) {
     const Scene scene = lit_ball();
     const TestMap map = bumps(128);
     Renderer whole = make_renderer(scene, map, settings_of(scene)), parts = make_renderer(scene, map, settings_of(scene));

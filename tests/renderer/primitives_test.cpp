@@ -51,6 +51,41 @@ TEST(Primitives, BoxHoldsEveryPointOfTheOffsetSurface) {
     }
 }
 
+TEST(Primitives, BoxHoldsEveryPointOfTheCanonicalSurface) {
+    std::mt19937 rng(8);
+    std::uniform_real_distribution<double> u(0, 1);
+    for (int round = 0; round < 4000; ++round) {
+        const Mesh mesh = random_triangle(rng, round % 2 == 0 ? 0.5 : 1.2);
+        auto p = make_primitive(mesh, 0, 0, {64, 32}, false);
+        ASSERT_TRUE(p);
+        const glm::dvec3 ng(p->ng);
+        const Mesh::Face& f = mesh.faces[0];
+        glm::dvec3 q[3], n[3];
+        bool upright = true;  // normals nearer to the plane than kLeastNormalCosine are bent
+        for (std::size_t i = 0; i < 3; ++i) {
+            q[i] = mesh.positions[f.position[i]];
+            n[i] = mesh.normals[f.position[i]];
+            upright = upright && glm::dot(n[i], ng) > kLeastNormalCosine;
+        }
+        if (!upright) continue;
+        const double a = (u(rng) - 0.5) * 2, b = (u(rng) - 0.5) * 2;
+        set_heights(*p, {std::min(a, b), std::max(a, b)});
+        set_shell_margin(*p);
+        const Box box = prism_box(*p);
+        for (int i = 0; i < 60; ++i) {
+            double b1 = u(rng), b2 = u(rng);
+            if (b1 + b2 > 1) b1 = 1 - b1, b2 = 1 - b2;
+            const double d = i % 3 == 0 ? a : i % 3 == 1 ? b : a + (b - a) * u(rng);
+            const glm::dvec3 point = q[0] * (1 - b1 - b2) + q[1] * b1 + q[2] * b2 +
+                                     glm::normalize(n[0] * (1 - b1 - b2) + n[1] * b1 + n[2] * b2) * d;
+            for (int k = 0; k < 3; ++k) {
+                ASSERT_GE(point[k], double{box.low[k]}) << round;
+                ASSERT_LE(point[k], double{box.high[k]}) << round;
+            }
+        }
+    }
+}
+
 TEST(Primitives, TexelCoordinatesKeepTheirFractionsOnLargeMaps) {
     MeshFile m = plane_mesh();
     for (auto& uv : m.uvs) uv = uv / 1000.0 + glm::dvec2(0.875);

@@ -9,27 +9,30 @@
 // (Thonat and others 2021); the path, the overlap and the polish are ours.
 //
 // What side of the surface the ray is on is carried along: a walk that starts on the other side has crossed.
-// Limits: a shell that folds inside one triangle (several b for one point) is followed on one sheet only.
+// Limits: a shell that folds inside one triangle (several b for one point) is followed on one sheet only; normals are
+// held to a cosine of kLeastNormalCosine to the triangle's own.
 //
 // Parameters: x: correct_normals (0 or 1).
-const int kMaxStretches = 32768;     // per triangle: beyond, the ray counts as a miss
+const int kMaxStretches = 16384;     // per triangle: beyond, the ray counts as a miss
 const int kMaxCells = 6;             // a walk is at most 2 texels long
 const int kStartLevel = 3;
 const int kLeastLevel = -8;          // stretches shorter than a texel, where the path is sharply bent
-const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this, so that no ray slips between
+const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this, so that no ray slips between,
+const float kMostEdgeMargin = 1e-3f; // or by more where a far ray's rounding asks for it
 const float kBend = 0.05f;           // texels that a walked path may leave its chord,
 const float kChordError = 2e-3f;     // and what that may do to the height, of the amplitude
+const float kSeekSteps = 512.0f;     // of a path that looks for the way out of a fold
 const float kFirmBend = 0.1f;        // barycentric: beyond, one Newton step at a stretch's end is not trusted
 
 FUNC float displacement(ObjectData ob, float value) { return ob.amplitude * (value - ob.midlevel); }
 
-FUNC bool in_triangle(vec2 b) { return min(min(b.x, b.y), 1.0f - b.x - b.y) >= -kEdgeMargin; }
+FUNC bool in_triangle(vec2 b, float margin) { return min(min(b.x, b.y), 1.0f - b.x - b.y) >= -margin; }
 
 // The whole stretch lies outside the triangle, beyond one of its edges.
-FUNC bool stretch_outside(vec2 a, vec2 e, float bend) {
+FUNC bool stretch_outside(vec2 a, vec2 e, float bend, float margin) {
     vec3 ba = vec3(a.x, a.y, 1.0f - a.x - a.y), be = vec3(e.x, e.y, 1.0f - e.x - e.y);
     vec3 m = max(ba, be) + vec3(bend);
-    return min(min(m.x, m.y), m.z) < -kEdgeMargin;
+    return min(min(m.x, m.y), m.z) < -margin;
 }
 
 // Smallest root of c.x + c.y s + c.z s^2 in [from, to]; false when there is none.
@@ -45,26 +48,29 @@ FUNC bool first_root(vec3 c, float from, float to, OUT(float) root) {
     return root >= from && root <= to;
 }
 
-// Newton on S along the ray, in the bilinear patch of one cell, from a root on the chord.
+// Newton on S along the ray, in the bilinear patch of one cell, from a root on the chord. `rest` is the height that was
+// left before the last step: not small where no root is near.
 FUNC ShellPoint polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec4 quad, vec2 guess, float reach,
-                       INOUT(float) tau) {
-    ShellPoint a = shell_point(p, s, r, tau, guess, 2);
-    for (int i = 0; i < 2; ++i) {
+                       INOUT(float) tau, OUT(float) rest) {
+    ShellPoint a;
+    for (int i = 0;; ++i) {
+        a = shell_point(p, s, r, tau, guess, i == 0 ? 2 : 1);
+        if (i == 2) return a;
         vec2 f = a.tx - cell;
         float gx = (quad.y - quad.x) * (1.0f - f.y) + (quad.w - quad.z) * f.y;
         float gy = (quad.z - quad.x) * (1.0f - f.x) + (quad.w - quad.y) * f.x;
         float slope = a.dh - ob.amplitude * (gx * a.dtx.x + gy * a.dtx.y);
         float gap = a.h - displacement(ob, bilinear(quad, f));
+        rest = abs(gap);
         float step_back = slope != 0.0f ? clamp(gap / slope, -reach, reach) : 0.0f;
         tau -= step_back;
-        a = shell_point(p, s, r, tau, a.b - a.db * step_back, 1);
+        guess = a.b - a.db * step_back;
     }
-    return a;
 }
 
 // Walks the cells under the chord from a (at tau) to e (span later). `side` is the side of the surface the ray is on.
 FUNC bool walk_cells(Primitive p, ObjectData ob, Shell s, PrismRay r, ShellPoint a, ShellPoint e, float tau, float span,
-                     float t_min, INOUT(float) side, OUT(SurfaceHit) hit) {
+                     float t_min, float tolerance, float margin, INOUT(float) side, OUT(SurfaceHit) hit) {
     ivec2 base = primitive_base(p.base);
     vec2 d = e.tx - a.tx;
     float dh = e.h - a.h;
@@ -92,8 +98,9 @@ FUNC bool walk_cells(Primitive p, ObjectData ob, Shell s, PrismRay r, ShellPoint
             if (!crossed && !first_root(c, after, to - from, root)) break;
             float at = tau + span * (from + root);
             vec2 guess = a.b + (e.b - a.b) * (from + root);
-            ShellPoint h = polish(p, ob, s, r, cell, quad, guess, 0.1f * span, at);
-            if (in_triangle(h.b) && r.t0 + at >= t_min && opaque_at(p, h.b)) {
+            float rest = 0.0f;
+            ShellPoint h = polish(p, ob, s, r, cell, quad, guess, 0.1f * span, at, rest);
+            if (rest <= kChordError * abs(ob.amplitude) + tolerance && in_triangle(h.b, margin) && r.t0 + at >= t_min && opaque_at(p, h.b)) {
                 hit.t = r.t0 + at;
                 hit.b = h.b;
                 return true;
@@ -119,22 +126,45 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     PrismRay r;
     hit.t = t_max;
     hit.b = vec2(0.0f, 0.0f);
-    if (!enter_prism(p, o, d, t_min, t_max, kEdgeMargin + p.shell_margin, r)) return false;
+    // What rounding of a far ray may take from a flat triangle's range.
+    vec3 away = abs(o - p.origin);
+    float rounding = 3e-7f * max(max(away.x, away.y), away.z);
+    p.w_low -= rounding;
+    p.w_high += rounding;
+    float margin = min(kEdgeMargin + rounding / min(p.q1x, p.q2.y), kMostEdgeMargin);
+    if (!enter_shell(p, o, d, t_min, t_max, margin, r)) return false;
     Shell s = make_shell(p);
-    vec3 guess = prism_barycentrics(r, r.low);
     float tau = r.low;
-    ShellPoint a = shell_point(p, s, r, tau, vec2(guess.y, guess.z), 2);
+    ShellPoint a;
+    a.h = 0.0f;
     // Through the top or the bottom of its own height range the side is known; else it is looked up when needed.
-    float side = r.from_side || r.from_inside || !in_triangle(a.b) ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
-    float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high));
+    float side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
+    float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high)) + rounding;
     ivec2 base = primitive_base(p.base);
+    bool folded = (p.flags & kPrimitiveFolded) != 0u, lost = true;
+    float highest = 1.02f * max(abs(p.w_low), abs(p.w_high));
     int level = kStartLevel;
     for (int i = 0; i < kMaxStretches && tau < r.high; ++i) {
+        if (folded && !(abs(a.h) <= highest)) lost = true;
+        // One place for all points of the path: they are most of this shader's code.
         float reach = exp2(float(level));
-        float speed = max(abs(a.dtx.x), abs(a.dtx.y));
-        float end = min(tau + 0.9f * reach / max(speed, 1e-20f), r.high);
+        float end = lost ? tau : min(tau + 0.9f * reach / max(max(abs(a.dtx.x), abs(a.dtx.y)), 1e-20f), r.high);
         float span = end - tau;
-        ShellPoint e = shell_point(p, s, r, end, a.b + a.db * span, 1);
+        vec2 guess = lost ? guess_shell_point(p, s, r, tau) : a.b + a.db * span;
+        ShellPoint e = shell_point(p, s, r, end, guess, lost ? (folded ? 4 : 2) : 1);
+        // Higher than the surface's own heights there may be folds of the shell: on to where the ray leaves them.
+        if (folded && lost && !(abs(e.h) <= highest)) {
+            tau = end + (r.high - r.low) / kSeekSteps;
+            lost = true;
+            side = 0.0f;
+            continue;
+        }
+        if (lost) {
+            a = e;
+            lost = false;
+            if (!in_triangle(a.b, margin)) side = 0.0f;
+            continue;
+        }
         vec2 off = abs(e.tx - a.tx - a.dtx * span);
         float bend = 0.5f * max(off.x, off.y), bend_h = 0.5f * abs(e.h - a.h - a.dh * span);
         // A node of the pyramid holds any stretch of its level's length that begins in it.
@@ -147,9 +177,10 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
             --level;
             continue;
         }
-        if (!held || stretch_outside(a.b, e.b, 0.5f * max(off_b.x, off_b.y))) {
+        if (!held || stretch_outside(a.b, e.b, 0.5f * max(off_b.x, off_b.y), margin)) {
             tau = end > tau ? end : r.high;
-            a = held ? e : shell_point(p, s, r, tau, vec2(prism_barycentrics(r, tau).y, prism_barycentrics(r, tau).z), 3);
+            a = e;
+            lost = !held;
             side = 0.0f;
             level = min(level + 1, kPyramidLevels);
             continue;
@@ -171,7 +202,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
             --level;
             continue;
         }
-        if (walk_cells(p, ob, s, r, a, e, tau, span, t_min, side, hit)) return hit.t <= t_max;
+        if (walk_cells(p, ob, s, r, a, e, tau, span, t_min, tolerance, margin, side, hit)) return hit.t <= t_max;
         tau = end > tau ? end : r.high;
         a = e;
     }
