@@ -20,13 +20,14 @@ int floor_mod(double value, int size) {
     return static_cast<int>(wrapped < 0 ? wrapped + size : wrapped);
 }
 
-// Texel coordinates relative to the footprint's lower left texel; the base itself is wrapped (repeat) or kept within
-// the range that 16 bits hold (clamp: far outside everything is the border texel anyway).
+// Texel coordinates relative to the footprint's lower left texel; the base itself is wrapped (repeat) or kept
+// within the range that 16 bits hold (clamp: far outside everything is the border texel anyway).
 void set_texels(gpu::Primitive& p, const std::array<dvec2, 3>& uv, const MapSize& map, bool clamp) {
     std::array<dvec2, 3> tx;
     dvec2 low(1e300);
     for (int i = 0; i < 3; ++i) {
-        tx[static_cast<std::size_t>(i)] = uv[static_cast<std::size_t>(i)] * dvec2(map.width, map.height) - 0.5;
+        tx[static_cast<std::size_t>(i)] =
+            uv[static_cast<std::size_t>(i)] * dvec2(map.width, map.height) - 0.5;
         low = glm::min(low, tx[static_cast<std::size_t>(i)]);
     }
     dvec2 base(std::floor(low.x), std::floor(low.y));
@@ -34,8 +35,10 @@ void set_texels(gpu::Primitive& p, const std::array<dvec2, 3>& uv, const MapSize
     p.tx0 = glm::vec2(tx[0] - base);
     p.tx1 = glm::vec2(tx[1] - base);
     p.tx2 = glm::vec2(tx[2] - base);
-    const auto x = static_cast<std::uint32_t>(clamp ? static_cast<int>(base.x) : floor_mod(base.x, map.width));
-    const auto y = static_cast<std::uint32_t>(clamp ? static_cast<int>(base.y) : floor_mod(base.y, map.height));
+    const auto x =
+        static_cast<std::uint32_t>(clamp ? static_cast<int>(base.x) : floor_mod(base.x, map.width));
+    const auto y =
+        static_cast<std::uint32_t>(clamp ? static_cast<int>(base.y) : floor_mod(base.y, map.height));
     p.base = x | y << 16;
 }
 
@@ -64,7 +67,9 @@ double least_offset_area(const gpu::Primitive& p) {
     return least;
 }
 
-bool turns_over(const gpu::Primitive& p) { return !(least_offset_area(p) > 1e-3 * offset_area(p, 0)); }
+bool turns_over(const gpu::Primitive& p) {
+    return !(least_offset_area(p) > 1e-3 * offset_area(p, 0));
+}
 
 // How far beside the base triangle the surface may stand: |D| sin of the greatest angle between N_i and ng.
 double lateral_reach(const gpu::Primitive& p) {
@@ -86,9 +91,10 @@ void split(std::vector<std::uint32_t>& order, const std::vector<glm::vec3>& cent
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::size_t half = count / 2;
     const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first);
-    std::nth_element(begin, begin + static_cast<std::ptrdiff_t>(half), begin + static_cast<std::ptrdiff_t>(count),
-                     [&](std::uint32_t a, std::uint32_t b) {
-                         return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
+    std::nth_element(begin, begin + static_cast<std::ptrdiff_t>(half),
+                     begin + static_cast<std::ptrdiff_t>(count), [&](std::uint32_t a, std::uint32_t b) {
+                         return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis]
+                                                                     : a < b;
                      });
     split(order, centres, first, half);
     split(order, centres, first + half, count - half);
@@ -136,7 +142,8 @@ void set_heights(gpu::Primitive& p, const DisplacementRange& range) {
     double longest = 1;
     for (const glm::vec2& shift : {p.shift0, p.shift1, p.shift2})
         longest = std::max(longest, std::sqrt(1 + static_cast<double>(glm::dot(shift, shift))));
-    const double slack = 2e-6 * (std::max(std::abs(range.low), std::abs(range.high)) + std::max<double>(p.q1x, p.q2.y));
+    const double slack =
+        2e-6 * (std::max(std::abs(range.low), std::abs(range.high)) + std::max<double>(p.q1x, p.q2.y));
     extend_heights(p, static_cast<float>((range.low > 0 ? range.low / longest : range.low) - slack),
                    static_cast<float>((range.high < 0 ? range.high / longest : range.high) + slack));
 }
@@ -160,7 +167,8 @@ void set_shell_margin(gpu::Primitive& p) {
     }
     const double height = std::max(std::abs(double{p.w_low}), std::abs(double{p.w_high}));
     const double reach = height * (most / least - 1) * apart;
-    // As the clipping wants it: of the base triangle's area. As barycentrics of the smallest offset triangle no less.
+    // As the clipping wants it: of the base triangle's area. As barycentrics of the smallest offset triangle
+    // no less.
     const double base = offset_area(p, 0), area = std::clamp(least_offset_area(p), 1e-3 * base, base);
     const double edge = std::max<double>({p.q1x, glm::length(p.q2), glm::length(p.q2 - glm::vec2(p.q1x, 0))});
     p.shell_margin = static_cast<float>(reach * (edge + height * apart) / area);

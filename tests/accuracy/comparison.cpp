@@ -113,18 +113,20 @@ std::string ImageComparison::text() const {
     char line[512];
     std::snprintf(
         line, sizeof line,
-        "%d hit; away from silhouettes %d missed, %d invented, %d off; at them %d missed, %d invented; %d unexplained; "
+        "%d hit; away from silhouettes %d missed, %d invented, %d off; at them %d missed, %d invented; %d "
+        "unexplained; "
         "depth/amplitude median %.1e p99 %.1e p99.9 %.1e, away p99 %.1e p99.9 %.1e max %.1e; normal median "
         "%.3f p99 %.2f deg",
-        both, missed, invented, off, silhouette_missed, silhouette_invented, unexplained,
-        depth.median, depth.p99,
-        depth.p999, depth_away.p99, depth_away.p999, depth_away.most, normal_deg.median, normal_deg.p99);
+        both, missed, invented, off, silhouette_missed, silhouette_invented, unexplained, depth.median,
+        depth.p99, depth.p999, depth_away.p99, depth_away.p999, depth_away.most, normal_deg.median,
+        normal_deg.p99);
     std::string result = line;
     const auto list = [&](const std::vector<OffPixel>& pixels, const char* which) {
         for (const OffPixel& pixel : pixels) {
             const char* const kinds[] = {"missed", "invented", "off"};
             std::snprintf(line, sizeof line, "\n    %s%s at (%d, %d): reference %.7g, method %.7g", which,
-                          kinds[static_cast<int>(pixel.kind)], pixel.x, pixel.y, pixel.reference, pixel.method);
+                          kinds[static_cast<int>(pixel.kind)], pixel.x, pixel.y, pixel.reference,
+                          pixel.method);
             result += line;
         }
     };
@@ -146,10 +148,13 @@ void count_unexplained(const ReferenceSurface& surface, const ReferenceImage& re
             };
             bool explained = agrees(expected);
             for (int k = 0; k < 24 && !explained; ++k) {
-                const double radius = k < 8 ? 2e-4 : k < 16 ? 7e-4 : 2e-3, angle = k * 0.7853981633974483 + 0.3;
-                const ReferenceRay ray = reference_camera_ray(camera, scene_origin, reference.width, reference.height,
-                                                              x + 0.5 + radius * std::cos(angle),
-                                                              y + 0.5 + radius * std::sin(angle));
+                const double radius = k < 8    ? 2e-4
+                                      : k < 16 ? 7e-4
+                                               : 2e-3,
+                             angle = k * 0.7853981633974483 + 0.3;
+                const ReferenceRay ray = reference_camera_ray(
+                    camera, scene_origin, reference.width, reference.height,
+                    x + 0.5 + radius * std::cos(angle), y + 0.5 + radius * std::sin(angle));
                 const auto hit = surface.first_hit(ray.origin, ray.direction, 0, infinity);
                 explained = agrees(hit ? hit->t : infinity);
             }

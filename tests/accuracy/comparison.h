@@ -42,9 +42,9 @@ ImageComparison compare_images(const ReferenceImage& reference, const Camera& ca
                                const glm::dvec3& scene_origin, double amplitude, std::span<const float> depth,
                                std::span<const float> normal, int reach = 2);
 
-// Counts, into `result`, the pixels (at silhouettes as well) where the method missed, invented or is off by more than
-// a hundredth of the amplitude, and none of the reference's rays within 2e-3 pixels of the centre gives the method's
-// answer: rounding of the ray cannot excuse them.
+// Counts, into `result`, the pixels (at silhouettes as well) where the method missed, invented or is off by
+// more than a hundredth of the amplitude, and none of the reference's rays within 2e-3 pixels of the centre
+// gives the method's answer: rounding of the ray cannot excuse them.
 void count_unexplained(const ReferenceSurface& surface, const ReferenceImage& reference, const Camera& camera,
                        const glm::dvec3& scene_origin, double amplitude, std::span<const float> depth,
                        ImageComparison& result);

@@ -5,7 +5,8 @@
 
 namespace relievo::test {
 
-MethodImages method_images(const Scene& scene, const HeightView& map, int size, const MethodUnderTest& method) {
+MethodImages method_images(const Scene& scene, const HeightView& map, int size,
+                           const MethodUnderTest& method) {
     static vulkan::Context device{vulkan::ContextOptions{}};
     RenderSettings settings;
     settings.width = settings.height = size;

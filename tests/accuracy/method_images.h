@@ -14,14 +14,19 @@ struct MethodUnderTest {
     std::map<std::string, double> parameters;
 };
 
-inline MethodUnderTest exact_method() { return {"exact", {}}; }
-inline MethodUnderTest pdm_method() { return {"pdm", {{"dt", 0.001}, {"jitter", 0}}}; }
+inline MethodUnderTest exact_method() {
+    return {"exact", {}};
+}
+inline MethodUnderTest pdm_method() {
+    return {"pdm", {{"dt", 0.001}, {"jitter", 0}}};
+}
 
 struct MethodImages {
     std::vector<float> depth, normal;
 };
 
 // `size` pixels a side. The scene has one object.
-MethodImages method_images(const Scene& scene, const HeightView& map, int size, const MethodUnderTest& method);
+MethodImages method_images(const Scene& scene, const HeightView& map, int size,
+                           const MethodUnderTest& method);
 
 }  // namespace relievo::test

@@ -40,7 +40,8 @@ std::array<ImageComparison, 2> compare_scene(const std::string& name) {
         results[i] =
             compare_images(image, scene.camera, scene.origin, amplitude, images.depth, images.normal);
         if (i == 1)
-            count_unexplained(surface, image, scene.camera, scene.origin, amplitude, images.depth, results[i]);
+            count_unexplained(surface, image, scene.camera, scene.origin, amplitude, images.depth,
+                              results[i]);
         std::printf("%s, %s: %s\n", methods[i].name.c_str(), name.c_str(), results[i].text().c_str());
     }
     return results;
@@ -57,7 +58,8 @@ TEST_P(SampleScenes, MethodsKeepTheirPromises) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SampleScenes,
-                         testing::Values("plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot", "fur"),
+                         testing::Values("plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot",
+                                         "fur"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

@@ -17,7 +17,8 @@ struct Map {
 
 Map noise(int width, int height, std::mt19937& rng) {
     Map map{width, height, {}};
-    for (int i = 0; i < width * height; ++i) map.texels.push_back(static_cast<std::uint16_t>(rng() & 0xffffu));
+    for (int i = 0; i < width * height; ++i)
+        map.texels.push_back(static_cast<std::uint16_t>(rng() & 0xffffu));
     return map;
 }
 
@@ -61,9 +62,10 @@ TEST(HeightPyramid, RandomEditsEqualARebuildAndNameAllThatChanged) {
                 for (int l = 1; l <= live.levels(); ++l)
                     for (int y = 0; y < live.height(l); ++y)
                         for (int x = 0; x < live.width(l); ++x) {
-                            const bool named = std::any_of(changed.begin(), changed.end(), [&](const auto& n) {
-                                return n.level == l && x >= n.x0 && x < n.x1 && y >= n.y0 && y < n.y1;
-                            });
+                            const bool named =
+                                std::any_of(changed.begin(), changed.end(), [&](const auto& n) {
+                                    return n.level == l && x >= n.x0 && x < n.x1 && y >= n.y0 && y < n.y1;
+                                });
                             if (named) continue;
                             ASSERT_EQ(live.overlapping(l, x, y).low, before.overlapping(l, x, y).low);
                             ASSERT_EQ(live.overlapping(l, x, y).high, before.overlapping(l, x, y).high);
@@ -87,7 +89,8 @@ TEST(HeightPyramid, ANodeHoldsEveryStretchThatBeginsInIt) {
                                                 std::min(cy >> level, pyramid.height(level) - 1));
                         for (int y = cy; y <= cy + (1 << level) + 1; ++y)
                             for (int x = cx; x <= cx + (1 << level) + 1; ++x) {
-                                const int at = wrapped(y, size.height, wrap) * size.width + wrapped(x, size.width, wrap);
+                                const int at =
+                                    wrapped(y, size.height, wrap) * size.width + wrapped(x, size.width, wrap);
                                 const std::uint16_t texel = map.texels[static_cast<std::size_t>(at)];
                                 ASSERT_LE(node.low, texel) << level << " " << cx << " " << cy;
                                 ASSERT_GE(node.high, texel) << level << " " << cx << " " << cy;
@@ -99,7 +102,8 @@ TEST(HeightPyramid, ANodeHoldsEveryStretchThatBeginsInIt) {
 // Counted in nodes, not in time: what an edit reduces does not grow with the map.
 TEST(HeightPyramid, AnEditOfALargeMapTouchesNoMoreThanOfASmallOne) {
     const auto nodes_after_edit = [](int size) {
-        const Map map{size, size, std::vector<std::uint16_t>(static_cast<std::size_t>(size) * std::size_t(size), 9)};
+        const Map map{size, size,
+                      std::vector<std::uint16_t>(static_cast<std::size_t>(size) * std::size_t(size), 9)};
         HeightPyramid pyramid(map.view(), Wrap::repeat);
         std::int64_t nodes = 0;
         const int at = size / 2 - 128;

@@ -18,21 +18,24 @@ const int kMaxCells = 6;             // a walk is at most 2 texels long
 const int kStartLevel = 3;
 const int kLeastLevel = -8;          // stretches shorter than a texel, where the path is sharply bent
 const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this, so that no ray slips between,
+const float kOpenMargin = 1e-6f;     // at an edge without neighbour: beyond it stands nothing
 const float kMostEdgeMargin = 1e-3f; // or by more where a far ray's rounding asks for it
 const float kBend = 0.05f;           // texels that a walked path may leave its chord,
 const float kChordError = 2e-3f;     // and what that may do to the height, of the amplitude
-const float kSeekSteps = 512.0f;     // of a path that looks for the way out of a fold
+const float kSeekSteps = 64.0f;      // of a path that looks for the way out of a fold
 const float kFirmBend = 0.1f;        // barycentric: beyond, one Newton step at a stretch's end is not trusted
 
 FUNC float displacement(ObjectData ob, float value) { return ob.amplitude * (value - ob.midlevel); }
 
-FUNC bool in_triangle(vec2 b, float margin) { return min(min(b.x, b.y), 1.0f - b.x - b.y) >= -margin; }
+FUNC bool in_triangle(vec2 b, vec3 margin) {
+    return b.x >= -margin.y && b.y >= -margin.z && 1.0f - b.x - b.y >= -margin.x;
+}
 
 // The whole stretch lies outside the triangle, beyond one of its edges.
-FUNC bool stretch_outside(vec2 a, vec2 e, float bend, float margin) {
-    vec3 ba = vec3(a.x, a.y, 1.0f - a.x - a.y), be = vec3(e.x, e.y, 1.0f - e.x - e.y);
-    vec3 m = max(ba, be) + vec3(bend);
-    return min(min(m.x, m.y), m.z) < -margin;
+FUNC bool stretch_outside(vec2 a, vec2 e, float bend, vec3 margin) {
+    vec3 ba = vec3(1.0f - a.x - a.y, a.x, a.y), be = vec3(1.0f - e.x - e.y, e.x, e.y);
+    vec3 m = max(ba, be) + vec3(bend) + margin;
+    return min(min(m.x, m.y), m.z) < 0.0f;
 }
 
 // Smallest root of c.x + c.y s + c.z s^2 in [from, to]; false when there is none.
@@ -70,7 +73,7 @@ FUNC ShellPoint polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cel
 
 // Walks the cells under the chord from a (at tau) to e (span later). `side` is the side of the surface the ray is on.
 FUNC bool walk_cells(Primitive p, ObjectData ob, Shell s, PrismRay r, ShellPoint a, ShellPoint e, float tau, float span,
-                     float t_min, float tolerance, float margin, INOUT(float) side, OUT(SurfaceHit) hit) {
+                     float t_min, float tolerance, vec3 margin, INOUT(float) side, OUT(SurfaceHit) hit) {
     ivec2 base = primitive_base(p.base);
     vec2 d = e.tx - a.tx;
     float dh = e.h - a.h;
@@ -131,8 +134,11 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     float rounding = 3e-7f * max(max(away.x, away.y), away.z);
     p.w_low -= rounding;
     p.w_high += rounding;
-    float margin = min(kEdgeMargin + rounding / min(p.q1x, p.q2.y), kMostEdgeMargin);
-    if (!enter_shell(p, o, d, t_min, t_max, margin, r)) return false;
+    float shared_margin = min(kEdgeMargin + rounding / min(p.q1x, p.q2.y), kMostEdgeMargin);
+    vec3 margin = vec3((p.flags & kPrimitiveOpenEdge0) != 0u ? kOpenMargin : shared_margin,
+                       (p.flags & (kPrimitiveOpenEdge0 << 1)) != 0u ? kOpenMargin : shared_margin,
+                       (p.flags & (kPrimitiveOpenEdge0 << 2)) != 0u ? kOpenMargin : shared_margin);
+    if (!enter_shell(p, o, d, t_min, t_max, shared_margin, r)) return false;
     Shell s = make_shell(p);
     float tau = r.low;
     ShellPoint a;
@@ -141,7 +147,8 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     float side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
     float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high)) + rounding;
     ivec2 base = primitive_base(p.base);
-    bool folded = (p.flags & kPrimitiveFolded) != 0u, lost = true;
+    bool folded = (p.flags & kPrimitiveFolded) != 0u, lost = true, sought = false;
+    float coarse = (r.high - r.low) / kSeekSteps, stride = coarse;
     float highest = 1.02f * max(abs(p.w_low), abs(p.w_high));
     int level = kStartLevel;
     for (int i = 0; i < kMaxStretches && tau < r.high; ++i) {
@@ -153,15 +160,24 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         vec2 guess = lost ? guess_shell_point(p, s, r, tau) : a.b + a.db * span;
         ShellPoint e = shell_point(p, s, r, end, guess, lost ? (folded ? 4 : 2) : 1);
         // Higher than the surface's own heights there may be folds of the shell: on to where the ray leaves them.
+        // They are sought in two rounds, the second where the first came into them.
         if (folded && lost && !(abs(e.h) <= highest)) {
-            tau = end + (r.high - r.low) / kSeekSteps;
-            lost = true;
+            tau = end + stride;
+            sought = true;
             side = 0.0f;
+            continue;
+        }
+        if (lost && sought && stride == coarse) {
+            tau = end - stride;
+            stride = coarse / kSeekSteps;
+            tau += stride;
             continue;
         }
         if (lost) {
             a = e;
             lost = false;
+            sought = false;
+            stride = coarse;
             if (!in_triangle(a.b, margin)) side = 0.0f;
             continue;
         }
