@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "brushes/atomic_file.h"
+#include "brushes/file_check.h"
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -72,6 +73,9 @@ void write_exr(const fs::path& path, const FloatPicture& picture) {
 
 DisplayPicture read_display_picture(const fs::path& path) {
     if (!fs::exists(path)) fail(path, "no such picture");
+    // First, because libpng prints about a damaged file by itself, and leaks.
+    if (const PngCheck check = check_png(path); !check.damage.empty())
+        fail(path, "is a damaged picture: " + check.damage);
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(path.string(), &config);
