@@ -142,7 +142,8 @@ void add_replay(CLI::App& app, Command& command) {
     verb.add_option("--map", options->map, "Start from this map in place of the scene's")->type_name("MAP");
     verb.add_flag("--force", options->force, "Go on though mesh or map are not the recorded ones");
     verb.add_flag("--timings", options->timings, "Print a table of milliseconds by stage over all dabs");
-    verb.add_flag("--live", options->live, "Trace the 256 x 256 window around the brush, as the editor does, at up to 200 dabs");
+    verb.add_flag("--live", options->live,
+                  "Trace the 256 x 256 window around the brush, as the editor does, at up to 200 dabs");
     add_picture(verb, options->picture);
     add_method(verb, options->method);
     add_common(verb, options->common);

@@ -15,11 +15,11 @@ namespace relievo {
 
 struct ReplayOptions {
     bool force = false;  // go on though mesh or map differ from the recorded ones
-    bool live = false;   // trace the window around the brush, as the editor does while a stroke runs, at up to
-                         // kLiveTraces dabs spread evenly over the journal
-    int spp = 0;         // of `render` and `expect_image` lines that name none; 0: the scene's
-    std::filesystem::path
-        failed_pictures;  // folder for pictures that `expect_image` refused; empty: temporary
+    bool live = false;  // trace the window around the brush, as the editor does while a stroke runs, at up to
+                        // kLiveTraces dabs spread evenly over the journal
+    int spp = 0;        // of `render` and `expect_image` lines that name none; 0: the scene's
+    // Folder for pictures that `expect_image` refused; empty: the temporary one.
+    std::filesystem::path failed_pictures;
     std::function<void(std::size_t done, std::size_t total)> progress;  // in operations
 };
 
@@ -29,7 +29,7 @@ struct ReplayReport {
     std::vector<StageTimes> dab_times;  // of every dab, in order; trace_ms only with `live`
 };
 
-constexpr int kLiveWindow = 256;            // pixels a side
+constexpr int kLiveWindow = 256;  // pixels a side
 constexpr std::size_t kLiveTraces = 200;
 
 // A journal that renders needs a session with a renderer.
