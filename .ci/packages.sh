@@ -9,7 +9,7 @@ relievo_build_packages=(
     "glslang-tools cmd:glslangValidator"
     "libvulkan-dev file:vulkan/vulkan.h" "libglfw3-dev file:GLFW/glfw3.h" "libimgui-dev file:imgui/imgui.h"
     "libglm-dev file:glm/glm.hpp" "libopenimageio-dev file:OpenImageIO/imageio.h"
-    "libopenexr-dev file:OpenEXR/openexr.h" "openimageio-tools cmd:iconvert"  # named by the CMake files of libopenimageio-dev
+    "openimageio-tools cmd:iconvert"  # named by the CMake files of libopenimageio-dev
     "python3-imath file:Imath/half.h" "libopenmesh-dev file:OpenMesh/Core/System/config.h"
     "nlohmann-json3-dev file:nlohmann/json.hpp" "libcli11-dev file:CLI/CLI.hpp" "libeigen3-dev file:eigen3/Eigen/Core"
 )
