@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/accuracy/comparison.h"
+#include "renderer/judge/image_comparison.h"
 
 namespace relievo::test {
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "brushes/map_file.h"
+#include "renderer/judge/judge.h"
 #include "renderer/opacity.h"
-#include "tests/accuracy/comparison.h"
 #include "tests/accuracy/limits.h"
 #include "tests/accuracy/method_images.h"
 
@@ -30,18 +30,14 @@ std::array<ImageComparison, 2> compare_scene(const std::string& name) {
         judged.opacity = {opacity.width, opacity.height, opacity.texels.data()};
     }
     const ReferenceSurface surface({&judged, 1});
-    const ReferenceImage image = trace_image(surface, scene.camera, scene.origin, kSize, kSize);
-    EXPECT_EQ(image.undecided, 0u) << name;
+    const Judge judge(trace_image(surface, scene.camera, scene.origin, kSize, kSize), scene);
+    EXPECT_EQ(judge.image().undecided, 0u) << name;
     std::array<ImageComparison, 2> results;
     const std::array<MethodUnderTest, 2> methods{pdm_method(), exact_method()};
     for (std::size_t i = 0; i < 2; ++i) {
         const MethodImages images = method_images(scene, view, kSize, methods[i]);
-        const double amplitude = object.displacement.amplitude;
-        results[i] =
-            compare_images(image, scene.camera, scene.origin, amplitude, images.depth, images.normal);
-        if (i == 1)
-            count_unexplained(surface, image, scene.camera, scene.origin, amplitude, images.depth,
-                              results[i]);
+        results[i] = judge.compare(images.depth, images.normal);
+        if (i == 1) judge.count_unexplained(surface, images.depth, results[i]);
         std::printf("%s, %s: %s\n", methods[i].name.c_str(), name.c_str(), results[i].text().c_str());
     }
     return results;

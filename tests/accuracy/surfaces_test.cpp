@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "tests/accuracy/comparison.h"
+#include "renderer/judge/judge.h"
 #include "tests/accuracy/limits.h"
 #include "tests/accuracy/method_images.h"
 
@@ -35,16 +35,13 @@ class JudgedSurfaces : public testing::TestWithParam<std::string> {
     const JudgedSurface judged_ = judged_surface(GetParam());
     const ReferenceSurface surface_ = judged_.sample.reference();
 
-    ImageComparison compare(const Scene& scene, const ReferenceImage& image, const MethodUnderTest& method,
+    ImageComparison compare(const Scene& scene, const Judge& judge, const MethodUnderTest& method,
                             const char* view) const {
         const SampleSurface& sample = judged_.sample;
         const MethodImages images =
             method_images(scene, {sample.width, sample.height, sample.texels.data()}, kSize, method);
-        ImageComparison result =
-            compare_images(image, scene.camera, scene.origin, sample.amplitude, images.depth, images.normal);
-        if (method.name == "exact")
-            count_unexplained(surface_, image, scene.camera, scene.origin, sample.amplitude, images.depth,
-                              result);
+        ImageComparison result = judge.compare(images.depth, images.normal);
+        if (method.name == "exact") judge.count_unexplained(surface_, images.depth, result);
         std::printf("%s, %s, %s: %s\n", method.name.c_str(), judged_.name.c_str(), view,
                     result.text().c_str());
         return result;
@@ -55,10 +52,10 @@ TEST_P(JudgedSurfaces, AreMetAsPromised) {
     for (const NamedView& view : judged_.views) {
         SCOPED_TRACE(view.name);
         const Scene scene = scene_of(judged_, view);
-        const ReferenceImage image = trace_image(surface_, scene.camera, scene.origin, kSize, kSize);
-        EXPECT_EQ(image.undecided, 0u);
-        expect_exact(compare(scene, image, exact_method(), view.name), judged_.exact_wrong, view.median);
-        const ImageComparison sampled = compare(scene, image, pdm_method(), view.name);
+        const Judge judge(trace_image(surface_, scene.camera, scene.origin, kSize, kSize), scene);
+        EXPECT_EQ(judge.image().undecided, 0u);
+        expect_exact(compare(scene, judge, exact_method(), view.name), judged_.exact_wrong, view.median);
+        const ImageComparison sampled = compare(scene, judge, pdm_method(), view.name);
         if (judged_.sampled == Sampled::within_limits) expect_sampled(sampled);
         if (judged_.sampled == Sampled::known_flaw) {
             EXPECT_LE(sampled.depth.median, 0.1);
