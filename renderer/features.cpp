@@ -71,6 +71,8 @@ FeatureReport describe_features(const Scene& scene, const FeatureRequest& reques
     add("image", true, "sum of samples, their number, and the tone-mapped picture");
     add("layers", false, "depth, normals, uv and id are traced only when asked for");
     add("picking", false, "compiled at the first pick");
+    add("counters", false, "what rays cost is counted only when asked for");
+    add("ray log", false, "compiled when the first ray is asked about");
     add("bounces and refraction", false, "this version traces camera and shadow rays");
     return report;
 }

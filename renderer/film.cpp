@@ -29,6 +29,7 @@ Film::Film(vulkan::Context& context, vulkan::Commands& commands, int width, int 
     accumulation_ = vulkan::Buffer(context, pixels * sizeof(glm::vec4), kSums, vulkan::Access::device);
     counts_ = vulkan::Buffer(context, pixels * sizeof(std::uint32_t), kSums, vulkan::Access::device);
     aov_ = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
+    ray_counts_ = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
     display_ = vulkan::Image(context, width, height, VK_FORMAT_R8G8B8A8_UNORM,
                              VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                  VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
@@ -67,18 +68,33 @@ void Film::make_aov(vulkan::Context& context) {
                           vulkan::Access::host);
 }
 
+void Film::make_ray_counts(vulkan::Context& context) {
+    if (has_ray_counts()) return;
+    const auto pixels = static_cast<VkDeviceSize>(width_) * static_cast<VkDeviceSize>(height_);
+    ray_counts_ = vulkan::Buffer(context, pixels * sizeof(glm::uvec4) + 64,
+                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                 vulkan::Access::host);
+}
+
+void Film::clear_ray_counts(VkCommandBuffer cmd) const {
+    vkCmdFillBuffer(cmd, ray_counts_.get(), 0, VK_WHOLE_SIZE, 0);
+    vulkan::memory_barrier(cmd);
+}
+
 void Film::write_bindings(VkDevice device, VkDescriptorSet set) const {
-    const std::array<VkDescriptorBufferInfo, 3> buffers{VkDescriptorBufferInfo{accumulation_.get(), 0, VK_WHOLE_SIZE},
+    const std::array<VkDescriptorBufferInfo, 4> buffers{VkDescriptorBufferInfo{accumulation_.get(), 0, VK_WHOLE_SIZE},
                                                         VkDescriptorBufferInfo{counts_.get(), 0, VK_WHOLE_SIZE},
-                                                        VkDescriptorBufferInfo{aov_.get(), 0, VK_WHOLE_SIZE}};
-    const std::array<std::uint32_t, 3> bindings{gpu::kBindAccumulation, gpu::kBindCounts, gpu::kBindAov};
+                                                        VkDescriptorBufferInfo{aov_.get(), 0, VK_WHOLE_SIZE},
+                                                        VkDescriptorBufferInfo{ray_counts_.get(), 0, VK_WHOLE_SIZE}};
+    const std::array<std::uint32_t, 4> bindings{gpu::kBindAccumulation, gpu::kBindCounts, gpu::kBindAov,
+                                                gpu::kBindRayCounts};
     const VkDescriptorImageInfo image{VK_NULL_HANDLE, display_.view(), VK_IMAGE_LAYOUT_GENERAL};
-    std::array<VkWriteDescriptorSet, 4> writes{};
+    std::array<VkWriteDescriptorSet, 5> writes{};
     for (std::size_t i = 0; i < writes.size(); ++i) {
         writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
         writes[i].dstSet = set;
         writes[i].descriptorCount = 1;
-        if (i < 3) {
+        if (i < buffers.size()) {
             writes[i].dstBinding = bindings[i];
             writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
             writes[i].pBufferInfo = &buffers[i];
@@ -115,6 +131,11 @@ std::vector<float> Film::layer(Layer layer) const {
             case Layer::shading_normal: add(from[i].shading_normal); break;
             case Layer::uv: result.insert(result.end(), {from[i].uv.x, from[i].uv.y}); break;
             case Layer::id: result.push_back(from[i].id); break;
+            case Layer::counts: {
+                const glm::uvec4& c = ray_counts_.as<glm::uvec4>()[i];
+                for (int k = 0; k < 4; ++k) result.push_back(static_cast<float>(c[k]));
+                break;
+            }
             case Layer::beauty: break;  // not of this buffer
         }
     }

@@ -23,6 +23,9 @@ class Film {
     void clear(vulkan::Commands& commands, const PixelRect& window) const;
     void make_aov(vulkan::Context& context);  // at the first wish for a layer
     bool has_aov() const { return aov_.bytes() > 64; }
+    void make_ray_counts(vulkan::Context& context);  // at the first wish for them
+    bool has_ray_counts() const { return ray_counts_.bytes() > 64; }
+    void clear_ray_counts(VkCommandBuffer cmd) const;
 
     void write_bindings(VkDevice device, VkDescriptorSet set) const;
 
@@ -32,10 +35,11 @@ class Film {
 
     std::uint64_t image_bytes() const;
     std::uint64_t aov_bytes() const { return has_aov() ? aov_.bytes() : 0; }
+    std::uint64_t ray_counts_bytes() const { return has_ray_counts() ? ray_counts_.bytes() : 0; }
 
   private:
     int width_ = 0, height_ = 0;
-    vulkan::Buffer accumulation_, counts_, aov_;
+    vulkan::Buffer accumulation_, counts_, aov_, ray_counts_;
     vulkan::Image display_;  // in layout GENERAL, but for the moment of a copy
 };
 

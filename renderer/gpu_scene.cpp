@@ -309,6 +309,11 @@ void GpuScene::set_ray_offset(double fraction_of_radius) {
     }
 }
 
+PrimitiveId GpuScene::primitive_id(std::uint32_t primitive) const {
+    const gpu::Primitive& p = primitives_.as<gpu::Primitive>()[primitive];
+    return {p.object, p.face};
+}
+
 void GpuScene::write_bindings(VkDescriptorSet set) const {
     VkAccelerationStructureKHR top = bvh_.top();
     VkWriteDescriptorSetAccelerationStructureKHR structure{

@@ -14,6 +14,11 @@
 
 namespace relievo {
 
+// The triangle behind a primitive of the device's arrays.
+struct PrimitiveId {
+    std::uint32_t object, face;
+};
+
 class GpuScene {
   public:
     // Builds everything from one mesh an object, as traced (creases mended where the method wants it).
@@ -24,6 +29,8 @@ class GpuScene {
     void set_displacement(std::size_t object, double amplitude, double midlevel);
     void set_material(std::size_t object, const Material& material);
     void set_ray_offset(double fraction_of_radius);
+
+    PrimitiveId primitive_id(std::uint32_t primitive) const;
 
     // Writes bindings TLAS, primitives, normals, objects, maps, opacity.
     void write_bindings(VkDescriptorSet set) const;

@@ -25,6 +25,8 @@ namespace relievo {
 namespace {
 
 constexpr std::size_t kPickBatch = 256;  // rays a dispatch
+constexpr std::size_t kNotesHead = 16;    // the number of notes, before them
+constexpr std::size_t kNotesBytes = kNotesHead + gpu::kMaxNotes * sizeof(gpu::Note);
 constexpr double kLeastRayOffset = 1e-4;  // of an object's radius
 
 bool decide_path(const vulkan::DeviceInfo& device, TracePath path) {
@@ -59,7 +61,7 @@ struct Renderer::State {
     Features features;
     std::optional<GpuScene> gpu_scene;
     Film film;
-    vulkan::Buffer frame, pick_rays, pick_results;
+    vulkan::Buffer frame, pick_rays, pick_results, notes;
     vulkan::SetLayoutHandle set_layout;
     vulkan::DescriptorPoolHandle pool;
     VkDescriptorSet set = VK_NULL_HANDLE;
@@ -67,7 +69,7 @@ struct Renderer::State {
     FeatureReport report;
     std::vector<HeightView> maps;  // as last uploaded: another method may need other structures over them
     int samples = 0;
-    bool aov_is_fresh = false, picked = false;
+    bool aov_is_fresh = false, counts_are_fresh = false, picked = false;
 
     State(vulkan::Context& c, const Scene& s, const RenderSettings& r)
         : context(c), commands(c), scene(s), settings(r), method(&find_method(r.method)),
@@ -83,6 +85,7 @@ struct Renderer::State {
     void write_own_bindings();
     void run(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
     void run_unjittered(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
+    bool has_notes() const { return notes.bytes() >= kNotesBytes; }
     void count_bytes();
     void restart();
 };
@@ -101,6 +104,7 @@ void Renderer::State::build() {
                                vulkan::Access::host);
     pick_results = vulkan::Buffer(context, kPickBatch * sizeof(gpu::PickResult), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                   vulkan::Access::host);
+    notes = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
     frame_data() = {};
     frame_data().object_count = static_cast<std::uint32_t>(scene.objects.size());
     fill_view(frame_data(), scene.camera, scene.origin, settings.width, settings.height);
@@ -123,11 +127,13 @@ void Renderer::State::make_set() {
 }
 
 void Renderer::State::write_own_bindings() {
-    const std::array<VkDescriptorBufferInfo, 3> buffers{VkDescriptorBufferInfo{frame.get(), 0, VK_WHOLE_SIZE},
+    const std::array<VkDescriptorBufferInfo, 4> buffers{VkDescriptorBufferInfo{frame.get(), 0, VK_WHOLE_SIZE},
                                                         VkDescriptorBufferInfo{pick_rays.get(), 0, VK_WHOLE_SIZE},
-                                                        VkDescriptorBufferInfo{pick_results.get(), 0, VK_WHOLE_SIZE}};
-    const std::array<std::uint32_t, 3> bindings{gpu::kBindFrame, gpu::kBindPickRays, gpu::kBindPickResults};
-    std::array<VkWriteDescriptorSet, 3> writes{};
+                                                        VkDescriptorBufferInfo{pick_results.get(), 0, VK_WHOLE_SIZE},
+                                                        VkDescriptorBufferInfo{notes.get(), 0, VK_WHOLE_SIZE}};
+    const std::array<std::uint32_t, 4> bindings{gpu::kBindFrame, gpu::kBindPickRays, gpu::kBindPickResults,
+                                                gpu::kBindNotes};
+    std::array<VkWriteDescriptorSet, 4> writes{};
     for (std::size_t i = 0; i < writes.size(); ++i) {
         writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
         writes[i].dstSet = set;
@@ -163,6 +169,7 @@ void Renderer::State::apply_parameters() {
 void Renderer::State::run(vulkan::Pass pass, const gpu::PushData& push, int width, int height) {
     commands.run([&](VkCommandBuffer cmd) {
         vulkan::memory_barrier(cmd);
+        if (pass == vulkan::Pass::counts) film.clear_ray_counts(cmd);
         passes.record(cmd, pass, set, push, width, height);
         vulkan::memory_barrier(cmd);
     });
@@ -181,7 +188,7 @@ void Renderer::State::run_unjittered(vulkan::Pass pass, const gpu::PushData& pus
 
 void Renderer::State::restart() {
     samples = 0;
-    aov_is_fresh = false;
+    aov_is_fresh = counts_are_fresh = false;
     film.clear(commands, whole());
 }
 
@@ -203,6 +210,16 @@ void Renderer::State::count_bytes() {
             f.reason = "rays were picked";
             f.bytes = pick_rays.bytes() + pick_results.bytes();
         }
+        if (f.name == "counters" && film.has_ray_counts()) {
+            f.built = true;
+            f.reason = "counts were asked for";
+            f.bytes = film.ray_counts_bytes();
+        }
+        if (f.name == "ray log" && has_notes()) {
+            f.built = true;
+            f.reason = "a ray was logged";
+            f.bytes = notes.bytes();
+        }
         report.bytes_total += f.bytes;
     }
 }
@@ -220,7 +237,7 @@ Renderer::Renderer(vulkan::Context& context, const Scene& scene, std::span<const
 Renderer::~Renderer() { vkDeviceWaitIdle(state_->context.device()); }
 
 UploadStats Renderer::upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions) {
-    state_->aov_is_fresh = false;
+    state_->aov_is_fresh = state_->counts_are_fresh = false;
     state_->maps[object] = map;
     return state_->gpu_scene->upload(object, map, regions);
 }
@@ -285,7 +302,7 @@ void Renderer::resize(int width, int height) {
     s.film.write_bindings(s.context.device(), s.set);
     fill_view(s.frame_data(), s.scene.camera, s.scene.origin, width, height);
     s.samples = 0;
-    s.aov_is_fresh = false;
+    s.aov_is_fresh = s.counts_are_fresh = false;
 }
 
 void Renderer::restart() { state_->restart(); }
@@ -324,15 +341,16 @@ const Camera& Renderer::camera() const { return state_->scene.camera; }
 std::vector<float> Renderer::read_back(Layer layer) {
     State& s = *state_;
     if (layer == Layer::beauty) return s.film.beauty(s.context, s.commands);
-    if (!s.aov_is_fresh) {
-        if (!s.film.has_aov()) {
-            s.film.make_aov(s.context);
-            s.film.write_bindings(s.context.device(), s.set);
-        }
+    const bool counting = layer == Layer::counts;
+    if (counting ? !s.counts_are_fresh : !s.aov_is_fresh) {
+        s.film.make_aov(s.context);
+        if (counting) s.film.make_ray_counts(s.context);
+        s.film.write_bindings(s.context.device(), s.set);
         gpu::PushData push{};
         push.extent = {width(), height()};
-        s.run_unjittered(vulkan::Pass::aov, push, width(), height());
+        s.run_unjittered(counting ? vulkan::Pass::counts : vulkan::Pass::aov, push, width(), height());
         s.aov_is_fresh = true;
+        s.counts_are_fresh = s.counts_are_fresh || counting;
     }
     return s.film.layer(layer);
 }
@@ -369,6 +387,31 @@ std::vector<PickHit> Renderer::pick(std::span<const Ray> rays) {
     }
     s.picked = s.picked || !rays.empty();
     return hits;
+}
+
+TraceLog Renderer::trace_notes(const Ray& ray) {
+    State& s = *state_;
+    if (!s.has_notes()) {
+        s.notes = vulkan::Buffer(s.context, kNotesBytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
+        s.write_own_bindings();
+    }
+    auto* count = s.notes.as<std::uint32_t>();
+    *count = 0;
+    *s.pick_rays.as<gpu::PickRay>() = {ray.origin, 1e30f, glm::normalize(ray.direction), 0};
+    gpu::PushData push{};
+    push.ray_count = 1;
+    s.run_unjittered(vulkan::Pass::notes, push, 1, 1);
+    const std::uint32_t kept = std::min(*count, gpu::kMaxNotes);
+    const auto* first = reinterpret_cast<const gpu::Note*>(s.notes.as<std::uint8_t>() + kNotesHead);
+    TraceLog log;
+    log.left_out = *count - kept;
+    for (const gpu::Note& n : std::span(first, kept)) {
+        const PrimitiveId id = s.gpu_scene->primitive_id(n.primitive);
+        log.notes.push_back({static_cast<TraceNote::Kind>(n.kind), id.object, id.face, n.t, n.height, n.texel, n.extent});
+    }
+    log.distance = s.pick_results.as<gpu::PickResult>()->t;
+    log.hit = log.distance >= 0;
+    return log;
 }
 
 Ray Renderer::camera_ray(double x_px, double y_px) const { return ray_through(state_->frame_data(), x_px, y_px); }

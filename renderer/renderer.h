@@ -57,7 +57,32 @@ enum class Quality {
     full,
 };
 
-enum class Layer { beauty, depth, normal, shading_normal, uv, id };
+enum class Layer {
+    beauty,
+    depth,
+    normal,
+    shading_normal,
+    uv,
+    id,
+    counts,  // what the pixel's primary ray cost: boxes met, steps, map and pyramid fetches, cells solved
+};
+
+// One entry of a ray's log: what the method did, in order.
+struct TraceNote {
+    enum class Kind { box, step, cell, root, hit } kind = Kind::box;
+    std::uint32_t object = 0, face = 0;  // of the object's mesh as traced (creases mended where the method wants it)
+    // All but box:
+    float t = 0;          // along the unit direction, world units
+    float height = 0;     // of the ray over the base triangle along the interpolated unit normal, world units
+    glm::vec2 texel{0};   // uv * size - 1/2, not wrapped
+    float extent = 0;     // step: texels that it may cross, 0 for a sample; cell: t where the ray leaves it
+};
+struct TraceLog {
+    std::vector<TraceNote> notes;
+    std::uint32_t left_out = 0;  // notes beyond the log's length
+    bool hit = false;
+    float distance = 0;
+};
 
 struct PickHit {
     bool hit = false;
@@ -107,7 +132,7 @@ class Renderer {
     const Camera& camera() const;
 
     // Row 0 at the top. beauty: 4 linear floats (average of the samples, alpha = coverage); depth: 1 (infinity where
-    // nothing is hit); normals: 3; uv: 2; id: 1 (object index + 1, 0 where nothing is hit). AOVs come from the pixel
+    // nothing is hit); normals: 3; uv: 2; id: 1 (object index + 1, 0 where nothing is hit); counts: 4. AOVs come from the pixel
     // centres and are not jittered.
     std::vector<float> read_back(Layer layer);
     // Tone-mapped 8-bit sRGB, 4 channels, row 0 at the top.
@@ -115,6 +140,8 @@ class Renderer {
 
     // First hits of any rays with the displaced surface as uploaded, by the method in use, unjittered.
     std::vector<PickHit> pick(std::span<const Ray> rays);
+    // The same for one ray, with all that the method did on its way.
+    TraceLog trace_notes(const Ray& ray);
     // The ray through a pixel position (0..width, 0..height; centres at .5).
     Ray camera_ray(double x_px, double y_px) const;
 

@@ -118,6 +118,23 @@ struct AovPixel {
     float id;  // object index + 1; 0: nothing
 };
 
+// What happened to one ray, step by step. Written only where a specialisation constant asks for it (kSpecNotes).
+struct Note {
+    uint kind;       // kNote*
+    uint primitive;  // met
+    float t;         // along the ray
+    float height;    // of the ray over the base triangle, along the interpolated unit normal, world units
+    vec2 texel;      // texel coordinates uv * size - 1/2, not wrapped
+    float extent;    // step: texels that it may cross, 0 for a sample; cell: the ray's parameter where it leaves it
+    float spare;
+};
+RELIEVO_CONST uint kNoteBox = 0u;   // the triangle's box was met
+RELIEVO_CONST uint kNoteStep = 1u;  // the method looked at the path: a stretch of it, or a sample
+RELIEVO_CONST uint kNoteCell = 2u;  // the surface over one texel cell was solved
+RELIEVO_CONST uint kNoteRoot = 3u;  // a place where ray and surface meet, before the triangle and the opacity are asked
+RELIEVO_CONST uint kNoteHit = 4u;   // the triangle's answer
+RELIEVO_CONST uint kMaxNotes = 8192u;  // a ray; what comes after is counted, not kept
+
 RELIEVO_CONST uint kBindTlas = 0u;
 RELIEVO_CONST uint kBindFrame = 1u;
 RELIEVO_CONST uint kBindPrimitives = 2u;
@@ -132,7 +149,9 @@ RELIEVO_CONST uint kBindPickResults = 10u;
 RELIEVO_CONST uint kBindMaps = 11u;     // combined image samplers, one an object
 RELIEVO_CONST uint kBindOpacity = 12u;  // likewise
 RELIEVO_CONST uint kBindPyramids = 13u;  // min-max pyramids of the maps, where the method bounds heights
-RELIEVO_CONST uint kBindCount = 14u;
+RELIEVO_CONST uint kBindRayCounts = 14u;  // uvec4 a pixel: boxes, steps, fetches, cells of the primary ray
+RELIEVO_CONST uint kBindNotes = 15u;      // of one ray: their number, then the notes
+RELIEVO_CONST uint kBindCount = 16u;
 RELIEVO_CONST int kPyramidLevels = 7;    // levels 1..7 of the pyramid are the image's mips 0..6
 
 // Specialisation constants: what features.cpp derived.
@@ -141,7 +160,9 @@ RELIEVO_CONST uint kSpecShadows = 1u;
 RELIEVO_CONST uint kSpecOpacity = 2u;
 RELIEVO_CONST uint kSpecGloss = 3u;
 RELIEVO_CONST uint kSpecSky = 4u;       // sky light with visibility rays
-RELIEVO_CONST uint kSpecCount = 5u;
+RELIEVO_CONST uint kSpecNotes = 5u;     // kNotesNone, kNotesCounts or kNotesLog
+RELIEVO_CONST uint kSpecCount = 6u;
+RELIEVO_CONST uint kNotesNone = 0u, kNotesCounts = 1u, kNotesLog = 2u;
 
 RELIEVO_CONST uint kGroupWidth = 8u;  // pixels a side of a compute workgroup
 
@@ -155,6 +176,7 @@ static_assert(sizeof(PushData) == 32);
 static_assert(sizeof(PickRay) == 32);
 static_assert(sizeof(PickResult) == 32);
 static_assert(sizeof(AovPixel) == 40);
+static_assert(sizeof(Note) == 32);
 }  // namespace relievo::gpu
 #endif
 

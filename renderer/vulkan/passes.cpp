@@ -10,13 +10,14 @@
 namespace relievo::vulkan {
 namespace {
 
-constexpr std::array<std::string_view, kPassCount> kComputeFiles{"beauty.comp", "aov.comp", "pick.comp"};
-constexpr std::array<std::string_view, kPassCount> kRayFiles{"beauty.rgen", "aov.rgen", "pick.rgen"};
+constexpr std::array<std::string_view, kPassCount> kComputeFiles{"beauty.comp", "aov.comp", "pick.comp", "aov.comp",
+                                                              "pick.comp"};
+constexpr std::array<std::string_view, kPassCount> kRayFiles{"beauty.rgen", "aov.rgen", "pick.rgen", "aov.rgen", "pick.rgen"};
 
 struct Specialisation {
     std::array<VkSpecializationMapEntry, gpu::kSpecCount> entries{};
     VkSpecializationInfo info{};
-    explicit Specialisation(const SpecConstants& constants) {
+    explicit Specialisation(const SpecConstants& constants) {  // kept by reference
         for (std::uint32_t i = 0; i < gpu::kSpecCount; ++i)
             entries[i] = {i, i * std::uint32_t{sizeof(std::uint32_t)}, sizeof(std::uint32_t)};
         info = {gpu::kSpecCount, entries.data(), sizeof(SpecConstants), constants.data()};
@@ -63,9 +64,18 @@ ShaderHandle Passes::module(std::string_view file) const {
     return {context_->device(), shader};
 }
 
-void Passes::make_compute(Program& program, std::string_view file) {
-    const ShaderHandle shader = module(file);
-    const Specialisation specialisation(constants_);
+SpecConstants Passes::constants_of(Pass pass) const {
+    SpecConstants constants = constants_;
+    constants[gpu::kSpecNotes] = pass == Pass::counts  ? gpu::kNotesCounts
+                                 : pass == Pass::notes ? gpu::kNotesLog
+                                                       : gpu::kNotesNone;
+    return constants;
+}
+
+void Passes::make_compute(Program& program, Pass pass) {
+    const ShaderHandle shader = module(kComputeFiles[static_cast<std::size_t>(pass)]);
+    const SpecConstants constants = constants_of(pass);
+    const Specialisation specialisation(constants);
     VkComputePipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
     info.stage = stage(VK_SHADER_STAGE_COMPUTE_BIT, shader.get(), specialisation);
@@ -76,10 +86,11 @@ void Passes::make_compute(Program& program, std::string_view file) {
     program.pipeline = {context_->device(), pipeline};
 }
 
-void Passes::make_rays(Program& program, std::string_view file) {
-    const ShaderHandle generation = module(file), miss = module("miss.rmiss"), intersection = module("hit.rint"),
+void Passes::make_rays(Program& program, Pass pass) {
+    const ShaderHandle generation = module(kRayFiles[static_cast<std::size_t>(pass)]), miss = module("miss.rmiss"), intersection = module("hit.rint"),
                        closest = module("hit.rchit");
-    const Specialisation specialisation(constants_);
+    const SpecConstants constants = constants_of(pass);
+    const Specialisation specialisation(constants);
     const std::array<VkPipelineShaderStageCreateInfo, 4> stages{
         stage(VK_SHADER_STAGE_RAYGEN_BIT_KHR, generation.get(), specialisation),
         stage(VK_SHADER_STAGE_MISS_BIT_KHR, miss.get(), specialisation),
@@ -140,8 +151,8 @@ void Passes::record(VkCommandBuffer commands, Pass pass, VkDescriptorSet set, co
     const auto index = static_cast<std::size_t>(pass);
     Program& program = programs_[index];
     if (!program.pipeline) {
-        if (by_pipeline_) make_rays(program, kRayFiles[index]);
-        else make_compute(program, kComputeFiles[index]);
+        if (by_pipeline_) make_rays(program, pass);
+        else make_compute(program, pass);
     }
     const VkPipelineBindPoint point =
         by_pipeline_ ? VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR : VK_PIPELINE_BIND_POINT_COMPUTE;
@@ -152,7 +163,7 @@ void Passes::record(VkCommandBuffer commands, Pass pass, VkDescriptorSet set, co
     if (by_pipeline_) {
         const VkStridedDeviceAddressRegionKHR callable{};
         functions().cmd_trace_rays(commands, &program.generation, &program.miss, &program.hit, &callable, w, h, 1);
-    } else if (pass == Pass::pick) {
+    } else if (pass == Pass::pick || pass == Pass::notes) {
         vkCmdDispatch(commands, (w + 63) / 64, 1, 1);
     } else {
         vkCmdDispatch(commands, (w + gpu::kGroupWidth - 1) / gpu::kGroupWidth,

@@ -1,4 +1,4 @@
-// The passes (beauty, layers, pick) of one method as pipelines over one descriptor set, traced either way.
+// The passes (beauty, layers, pick, and the last two again with notes taken) of one method as pipelines over one descriptor set, traced either way.
 #pragma once
 
 #include <array>
@@ -12,8 +12,14 @@
 
 namespace relievo::vulkan {
 
-enum class Pass { beauty, aov, pick };
-constexpr std::size_t kPassCount = 3;
+enum class Pass {
+    beauty,
+    aov,
+    pick,
+    counts,  // aov, counting what each pixel's ray costs
+    notes,   // pick of one ray, logged
+};
+constexpr std::size_t kPassCount = 5;
 
 // SPIR-V words of one shader: method "pdm", file "beauty.comp". Defined by the build (shader_code.cpp).
 std::span<const std::uint32_t> shader_code(std::string_view method, std::string_view file);
@@ -37,8 +43,9 @@ class Passes {
         Buffer table;  // shader binding table of the ray tracing pipeline
         VkStridedDeviceAddressRegionKHR generation{}, miss{}, hit{};
     };
-    void make_compute(Program& program, std::string_view file);
-    void make_rays(Program& program, std::string_view file);
+    void make_compute(Program& program, Pass pass);
+    void make_rays(Program& program, Pass pass);
+    SpecConstants constants_of(Pass pass) const;
     void fill_table(Program& program);
     ShaderHandle module(std::string_view file) const;
 

@@ -8,6 +8,7 @@ layout(constant_id = 1) const bool kShadows = true;
 layout(constant_id = 2) const bool kOpacity = true;
 layout(constant_id = 3) const bool kGloss = true;
 layout(constant_id = 4) const bool kSky = true;
+layout(constant_id = 5) const uint kNotes = 0u;  // kNotes* of shared.h
 
 layout(set = 0, binding = kBindTlas) uniform accelerationStructureEXT scene_bvh;
 layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { FrameData frame; };
@@ -19,10 +20,13 @@ layout(set = 0, binding = kBindOpacity) uniform sampler2D opacity_maps[kObjects]
 layout(set = 0, binding = kBindPyramids) uniform sampler2D pyramids[kObjects];
 layout(push_constant, scalar) uniform PushBlock { PushData push; };
 
+#include "notes.glsl"
+
 ObjectData object_data(uint object) { return objects[kObjects == 1u ? 0u : object]; }
 
 // One gather at the corner that the four texels share: far from any texel's border, so its rounding cannot matter.
 vec4 height_quad(uint object, ivec2 cell) {
+    count_fetch();
     vec4 g;  // (0,1) (1,1) (1,0) (0,0)
     if (kObjects == 1u) {
         g = textureGather(maps[0], vec2(cell + 1) / vec2(objects[0].map_size));
@@ -36,6 +40,7 @@ vec4 height_quad(uint object, ivec2 cell) {
 // beginning with the node that holds `cell`. Levels 1 to kPyramidLevels; a small map's own last level, one node, holds
 // all of it.
 vec2 map_bounds(uint object, int level, ivec2 cell) {
+    count_fetch();
     ObjectData ob = object_data(object);
     if (ob.clamp_wrap != 0u) cell = clamp(cell, ivec2(0), ob.map_size - 1);
     else cell -= ob.map_size * ivec2(floor((vec2(cell) + 0.5) / vec2(ob.map_size)));
@@ -63,6 +68,11 @@ bool opaque_at(Primitive p, vec2 b) {
     vec2 uv = uv_at(p, b);
     if (kObjects == 1u) return textureLod(opacity_maps[0], uv, 0.0).r >= 0.5;
     return textureLod(opacity_maps[nonuniformEXT(p.object)], uv, 0.0).r >= 0.5;
+}
+
+void note_hit(Primitive p, SurfaceHit hit) {
+    if (kNotes != kNotesLog) return;
+    note(kNoteHit, hit.t, texel_at(p, hit.b), displacement_at(p, object_data(p.object), hit.b), 0.0);
 }
 
 // Counter-based random numbers: hash of what is being sampled, never a running state.

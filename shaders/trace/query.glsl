@@ -14,9 +14,11 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
         uint id = uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, false));
         Primitive p = primitives[id];
         SurfaceHit hit;
+        begin_notes(id);
         float random = random_at(pixel, push.sample_index, id);
         if (intersect_surface(p, object_data(p.object), frame.parameters0, origin, direction, t_min, best.t, random,
                               hit)) {
+            note_hit(p, hit);
             best.primitive = id;
             best.t = hit.t;
             best.b = hit.b;
@@ -24,6 +26,7 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
             if (any_hit) break;
         }
     }
+    flush_counts(pixel);
     return best;
 }
 

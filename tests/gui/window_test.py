@@ -214,8 +214,8 @@ def main():
                               quit_asks_for_unsaved_work, resized_and_reopened, no_scene_asks_for_one, no_display)}
     parser = argparse.ArgumentParser()
     parser.add_argument("case", choices=cases)
-    parser.add_argument("--relievo", required=True)
-    parser.add_argument("--assets", required=True)
+    parser.add_argument("--relievo", required=True, type=os.path.abspath)
+    parser.add_argument("--assets", required=True, type=os.path.abspath)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         case = Case(options, folder)

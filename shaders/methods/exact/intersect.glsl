@@ -88,6 +88,7 @@ FUNC bool walk_cells(Primitive p, ObjectData ob, Shell s, PrismRay r, ShellPoint
     hit.b = vec2(0.0f, 0.0f);
     for (int i = 0; i < kMaxCells; ++i) {
         float to = min(max(min(leave.x, leave.y), from), 1.0f);
+        note(kNoteCell, r.t0 + tau + span * from, cell, a.h + dh * from, r.t0 + tau + span * to);
         vec4 quad = height_quad(p.object, base + ivec2(cell));
         // Height over the patch along the chord, from s = `from` on.
         vec2 f = a.tx + d * from - cell;
@@ -103,6 +104,7 @@ FUNC bool walk_cells(Primitive p, ObjectData ob, Shell s, PrismRay r, ShellPoint
             vec2 guess = a.b + (e.b - a.b) * (from + root);
             float rest = 0.0f;
             ShellPoint h = polish(p, ob, s, r, cell, quad, guess, 0.1f * span, at, rest);
+            note(kNoteRoot, r.t0 + at, h.tx, h.h, 0.0f);
             if (rest <= kChordError * abs(ob.amplitude) + tolerance && in_triangle(h.b, margin) && r.t0 + at >= t_min && opaque_at(p, h.b)) {
                 hit.t = r.t0 + at;
                 hit.b = h.b;
@@ -143,6 +145,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     float tau = r.low;
     ShellPoint a;
     a.h = 0.0f;
+    a.tx = vec2(0.0f, 0.0f);
     // Through the top or the bottom of its own height range the side is known; else it is looked up when needed.
     float side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
     float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high)) + rounding;
@@ -158,6 +161,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         float end = lost ? tau : min(tau + 0.9f * reach / max(max(abs(a.dtx.x), abs(a.dtx.y)), 1e-20f), r.high);
         float span = end - tau;
         vec2 guess = lost ? guess_shell_point(p, s, r, tau) : a.b + a.db * span;
+        note(kNoteStep, r.t0 + tau, a.tx, a.h, reach);
         ShellPoint e = shell_point(p, s, r, end, guess, lost ? (folded ? 4 : 2) : 1);
         // Higher than the surface's own heights there may be folds of the shell: on to where the ray leaves them.
         // They are sought in two rounds, the second where the first came into them.

@@ -20,6 +20,7 @@ FUNC float pdm_gap(Primitive p, ObjectData ob, PrismRay r, float tau, OUT(vec3) 
     vec2 shift = p.shift0 * b.x + p.shift1 * b.y + p.shift2 * b.z;
     float height = (r.w0 + r.wd * tau) * sqrt(1.0f + dot(shift, shift));
     vec2 tx = p.tx0 * b.x + p.tx1 * b.y + p.tx2 * b.z;
+    note(kNoteStep, r.t0 + tau, tx, height, 0.0f);
     return height - ob.amplitude * (map_value(p.object, primitive_base(p.base), tx) - ob.midlevel);
 }
 
@@ -61,6 +62,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         if (inside && known && gap * side <= 0.0f && previous != gap) {
             float crossing = from + (end - from) * clamp(previous / (previous - gap), 0.0f, 1.0f);
             vec3 at = prism_barycentrics(r, crossing);
+            note(kNoteRoot, r.t0 + crossing, p.tx0 * at.x + p.tx1 * at.y + p.tx2 * at.z, 0.0f, 0.0f);
             if (opaque_at(p, vec2(at.y, at.z))) {
                 hit.t = r.t0 + crossing;
                 hit.b = vec2(at.y, at.z);

@@ -1,0 +1,65 @@
+// What a ray costs, and its log: the same story as the picture, on both paths, without changing the picture.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/renderer/device.h"
+
+namespace relievo::test {
+namespace {
+
+RELIEVO_EVERY_METHOD(Notes);
+
+TEST_P(Notes, CountingChangesNoLayerAndCountsWhatIsHit) {
+    const Scene scene = make_scene(ball_mesh(), 0.3);
+    const TestMap map = bumps(128);
+    Renderer r = make_renderer(scene, map, settings_of(scene));
+    const auto plain = r.read_back(Layer::depth), counts = r.read_back(Layer::counts);
+    EXPECT_EQ(plain, r.read_back(Layer::depth));
+    ASSERT_EQ(counts.size(), plain.size() * 4);
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        if (!std::isfinite(plain[i])) continue;
+        ASSERT_GE(counts[4 * i], 1) << "boxes of pixel " << i;
+        ASSERT_GE(counts[4 * i + 1] + counts[4 * i + 3], 1) << "steps and cells of pixel " << i;
+        ASSERT_GE(counts[4 * i + 2], 1) << "fetches of pixel " << i;
+    }
+}
+
+TEST_P(Notes, CountsAreTakenAgainAfterAnEdit) {
+    const Scene scene = make_scene(plane_mesh(), 0.3);
+    TestMap map = make_map(64, 64, [](double, double) { return 0.5; });
+    Renderer r = make_renderer(scene, map, settings_of(scene));
+    const auto before = r.read_back(Layer::counts);
+    const TestMap edited = bumps(64);
+    const TexelRegion all{0, 0, 64, 64};
+    r.upload(0, edited.view(), std::span(&all, 1));
+    EXPECT_NE(before, r.read_back(Layer::counts));
+}
+
+TEST_P(Notes, LogEndsInTheHitThatPickingFinds) {
+    const Scene scene = make_scene(ball_mesh(), 0.3);
+    const TestMap map = bumps(128);
+    for (const TracePath path : {TracePath::ray_query, TracePath::pipeline}) {
+        if (path == TracePath::ray_query ? !device().info().ray_query : !device().info().ray_pipeline) continue;
+        RenderSettings settings = settings_of(scene);
+        settings.path = path;
+        Renderer r = make_renderer(scene, map, settings);
+        const Ray ray = r.camera_ray(48.5, 48.5);
+        const PickHit hit = r.pick(std::vector{ray})[0];
+        const TraceLog log = r.trace_notes(ray);
+        ASSERT_TRUE(hit.hit);
+        EXPECT_TRUE(log.hit);
+        EXPECT_EQ(log.distance, hit.distance);
+        EXPECT_EQ(log.left_out, 0u);
+        const auto is = [](TraceNote::Kind kind) { return [kind](const TraceNote& n) { return n.kind == kind; }; };
+        EXPECT_GE(std::ranges::count_if(log.notes, is(TraceNote::Kind::box)), 1);
+        const auto last = std::find_if(log.notes.rbegin(), log.notes.rend(), is(TraceNote::Kind::hit));
+        ASSERT_NE(last, log.notes.rend());
+        EXPECT_EQ(last->t, hit.distance);
+        EXPECT_FALSE(r.trace_notes(r.camera_ray(1, 1)).hit);
+    }
+}
+
+}  // namespace
+}  // namespace relievo::test
