@@ -107,6 +107,11 @@ SessionOptions session_options(const CommonOptions& common, const MethodOptions&
     return options;
 }
 
+ImageSize size_of(const PictureOptions& picture, const Scene& scene) {
+    if (picture.size.empty()) return {scene.image.width, scene.image.height};
+    return parse_size(picture.size);
+}
+
 int samples_of(const PictureOptions& picture, const Scene& scene) {
     return picture.spp > 0 ? picture.spp : scene.image.spp;
 }

@@ -1,25 +1,20 @@
 // relievo render SCENE -o OUT: one picture, with layers where they are asked for.
+#include "editor/cli/render.h"
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "editor/cli/progress.h"
-#include "editor/cli/verbs.h"
 #include "editor/session/render_output.h"
 #include "renderer/vulkan/context.h"
 
 namespace relievo {
 namespace {
 
-struct RenderOptions {
-    std::string scene, out, aov;
-    CommonOptions common;
-    MethodOptions method;
-    PictureOptions picture;
-};
-
 int run_render(const RenderOptions& options) {
+    if (options.method.method == kReferenceMethod) return run_reference_render(options);
     SessionOptions session_with = session_options(options.common, options.method, options.picture);
     const std::vector<Layer> aovs = parse_aovs(options.aov);
     check_render_output(options.out, aovs);
@@ -68,6 +63,11 @@ void add_render(CLI::App& app, Command& command) {
         ->type_name("LIST");
     add_picture(verb, options->picture);
     add_method(verb, options->method);
+    CLI::Option& method = *verb.get_option("--method");
+    method.description(
+        method.get_description() +
+        "; or reference: the layers Z, N, uv and id in double precision on the processor, under a "
+        "head light (no device needed, no --set)");
     add_common(verb, options->common);
     verb.callback([options, &command] { command = [options] { return run_render(*options); }; });
 }

@@ -44,6 +44,7 @@ void add_picture(CLI::App& verb, PictureOptions& options);
 // Checks and converts. Throws std::invalid_argument naming the option.
 SessionOptions session_options(const CommonOptions& common, const MethodOptions& method,
                                const PictureOptions& picture = {});
+ImageSize size_of(const PictureOptions& picture, const Scene& scene);
 int samples_of(const PictureOptions& picture, const Scene& scene);
 
 }  // namespace relievo

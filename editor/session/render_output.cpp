@@ -5,6 +5,7 @@
 #include <cctype>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -58,10 +59,9 @@ std::vector<Layer> parse_aovs(const std::string& list) {
 }
 
 void check_render_output(const std::filesystem::path& path, const std::vector<Layer>& aovs) {
-    const std::string extension = extension_of(path);
-    if (extension != ".png" && extension != ".exr")
+    if (!is_png(path) && extension_of(path) != ".exr")
         throw std::invalid_argument(path.string() + ": a render must end in .png or .exr");
-    if (extension == ".png" && !aovs.empty())
+    if (is_png(path) && !aovs.empty())
         throw std::invalid_argument(path.string() +
                                     ": a PNG holds no layers; --aov needs a file that ends in .exr");
     check_writable(path);
@@ -82,15 +82,27 @@ DisplayPicture display_picture(Renderer& renderer) {
     return {renderer.width(), renderer.height(), renderer.read_back_display()};
 }
 
-void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs) {
+bool is_png(const std::filesystem::path& path) {
+    return extension_of(path) == ".png";
+}
+
+void write_layers(const std::filesystem::path& path, int width, int height, std::vector<float> beauty,
+                  const std::vector<Layer>& aovs, const std::function<std::vector<float>(Layer)>& layer) {
     check_render_output(path, aovs);
-    if (extension_of(path) == ".png") return write_png(path, display_picture(renderer));
-    FloatPicture picture{
-        renderer.width(), renderer.height(), {"R", "G", "B", "A"}, renderer.read_back(Layer::beauty)};
+    FloatPicture picture{width, height, {"R", "G", "B", "A"}, std::move(beauty)};
     for (const AovName& aov : aov_names())
         if (std::find(aovs.begin(), aovs.end(), aov.layer) != aovs.end())
-            add_layer(picture, aov.channels, renderer.read_back(aov.layer));
+            add_layer(picture, aov.channels, layer(aov.layer));
     write_exr(path, picture);
+}
+
+void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs) {
+    if (is_png(path)) {
+        check_render_output(path, aovs);
+        return write_png(path, display_picture(renderer));
+    }
+    write_layers(path, renderer.width(), renderer.height(), renderer.read_back(Layer::beauty), aovs,
+                 [&](Layer layer) { return renderer.read_back(layer); });
 }
 
 }  // namespace relievo

@@ -33,6 +33,13 @@ double render_samples(Renderer& renderer, int spp, const Progress& progress = {}
 
 DisplayPicture display_picture(Renderer& renderer);
 
+bool is_png(const std::filesystem::path& path);
+
+// An EXR with R G B A (`beauty`) and the layers, each as `layer` gives it: floats of the pixels in turn.
+// Throws std::invalid_argument as check_render_output does.
+void write_layers(const std::filesystem::path& path, int width, int height, std::vector<float> beauty,
+                  const std::vector<Layer>& aovs, const std::function<std::vector<float>(Layer)>& layer);
+
 // Tone-mapped PNG, or EXR with R G B A and the layers. Throws std::invalid_argument as check_render_output
 // does.
 void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs);

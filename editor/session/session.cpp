@@ -8,11 +8,11 @@
 #include "brushes/sculptor.h"
 #include "editor/session/mesh_hash.h"
 #include "editor/session/recorder.h"
+#include "editor/session/scene_input.h"
 #include "editor/session/session_view.h"
 #include "editor/session/settings.h"
 #include "editor/session/steps.h"
 #include "editor/session/surface/mesh_surface.h"
-#include "renderer/methods/registry.h"
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -25,35 +25,12 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// The map of one object: its file, or a new flat one that displaces nothing.
-LoadedMap open_map(const Displacement& displacement, const fs::path& path) {
-    const MapRange range{displacement.range_low, displacement.range_high};
-    if (!path.empty()) return load_map(path, range);
-    const auto flat = static_cast<std::uint16_t>(std::lround(displacement.midlevel * 65535));
-    return {HeightMap(displacement.map_size, displacement.map_size, flat), range, MapFormat::tiff16, nullptr};
-}
-
-// The scene with the method that was asked for in place of its own, checked here because not every session
-// renders.
-Scene open_scene(const fs::path& path, const SessionOptions& options) {
-    Scene scene = load_scene(path);
-    try {
-        resolve_parameters(find_method(scene.method.name), scene.method.parameters);
-    } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(path.string() + ": method: " + error.what());
-    }
-    if (!options.method.empty() && options.method != scene.method.name) scene.method = {options.method, {}};
-    for (const auto& [name, value] : options.parameters) scene.method.parameters[name] = value;
-    resolve_parameters(find_method(scene.method.name), scene.method.parameters);
-    return scene;
-}
-
 }  // namespace
 
 struct Session::State {
     State(const fs::path& scene_file, const SessionOptions& given)
         : options(given),
-          scene(open_scene(scene_file, options)),
+          scene(open_scene(scene_file, options.method, options.parameters)),
           start_map(options.map.empty() ? displacement().map : options.map),
           file(open_map(displacement(), start_map)),
           surface(scene.objects.front().mesh, displacement(), file.map),

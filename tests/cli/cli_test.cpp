@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "editor/session/image_file.h"
 #include "editor/session/journal.h"
 #include "tests/cli/program.h"
 #include "tests/session/test_scene.h"
@@ -198,6 +199,30 @@ TEST_F(Program, RenderWritesPngAndLayers) {
     const auto answer = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(answer["width"], 33);
     EXPECT_EQ(answer["spp"], 3);
+}
+
+TEST_F(Program, TheReferenceRendersWithoutADevice) {
+    const std::vector<std::string> ask{"render", scene_, "--method", "reference", "--size", "33x17", "-o"};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = ask;
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    EXPECT_EQ(run_program(with({path("a.png")}), test::without_vulkan()).status, 0);
+    EXPECT_EQ(read_display_picture(path("a.png")).width, 33);
+    const Outcome outcome =
+        run_program(with({path("a.exr"), "--aov", "Z,N,uv,id", "--json"}), test::without_vulkan());
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto answer = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(answer["height"], 17);
+    EXPECT_EQ(answer["method"], "reference");
+    EXPECT_EQ(answer["undecided"], 0);
+    expect_refused(with({path("b.exr"), "--aov", "Ns"}), "no layer Ns; it has Z, N, uv, id");
+    expect_refused(with({path("b.exr"), "--set", "dt=0.1"}), "--set: does not go with --method reference");
+    expect_refused(with({path("b.exr"), "--path", "pipeline"}), "--path: does not go");
+    expect_refused(with({path("b.exr"), "--spp", "4"}), "--spp: does not go");
+    expect_refused(with({path("b.png"), "--aov", "Z"}), "--aov needs a file that ends in .exr");
+    EXPECT_FALSE(std::filesystem::exists(path("b.exr")));
 }
 
 TEST_F(Program, ExplainAnswersInTextAndJson) {

@@ -1,0 +1,32 @@
+// See scene_input.h.
+#include "editor/session/scene_input.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "renderer/methods/registry.h"
+
+namespace relievo {
+
+Scene open_scene(const std::filesystem::path& path, const std::string& method,
+                 const std::map<std::string, double>& parameters) {
+    Scene scene = load_scene(path);
+    try {
+        resolve_parameters(find_method(scene.method.name), scene.method.parameters);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(path.string() + ": method: " + error.what());
+    }
+    if (!method.empty() && method != scene.method.name) scene.method = {method, {}};
+    for (const auto& [name, value] : parameters) scene.method.parameters[name] = value;
+    resolve_parameters(find_method(scene.method.name), scene.method.parameters);
+    return scene;
+}
+
+LoadedMap open_map(const Displacement& displacement, const std::filesystem::path& path) {
+    const MapRange range{displacement.range_low, displacement.range_high};
+    if (!path.empty()) return load_map(path, range);
+    const auto flat = static_cast<std::uint16_t>(std::lround(displacement.midlevel * 65535));
+    return {HeightMap(displacement.map_size, displacement.map_size, flat), range, MapFormat::tiff16, nullptr};
+}
+
+}  // namespace relievo
