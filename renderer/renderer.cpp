@@ -18,6 +18,7 @@
 #include "renderer/methods/registry.h"
 #include "renderer/stopwatch.h"
 #include "renderer/view.h"
+#include "renderer/vulkan/device_clock.h"
 #include "renderer/vulkan/functions.h"
 #include "renderer/vulkan/passes.h"
 
@@ -52,6 +53,7 @@ void check_size(const vulkan::Context& context, int width, int height, const cha
 struct Renderer::State {
     vulkan::Context& context;
     vulkan::Commands commands;
+    vulkan::DeviceClock clock;
     Scene scene;  // as rendered now: camera, lights and materials follow the setters
     RenderSettings settings;
     const Method* method;
@@ -72,7 +74,7 @@ struct Renderer::State {
     bool aov_is_fresh = false, counts_are_fresh = false, picked = false;
 
     State(vulkan::Context& c, const Scene& s, const RenderSettings& r)
-        : context(c), commands(c), scene(s), settings(r), method(&find_method(r.method)),
+        : context(c), commands(c), clock(c), scene(s), settings(r), method(&find_method(r.method)),
           parameters(resolve_parameters(*method, r.parameters)), mended(s) {}
 
     gpu::FrameData& frame_data() { return *frame.as<gpu::FrameData>(); }
@@ -85,6 +87,7 @@ struct Renderer::State {
     void write_own_bindings();
     void run(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
     void run_unjittered(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
+    void trace_layers(bool counting);
     bool has_notes() const { return notes.bytes() >= kNotesBytes; }
     void count_bytes();
     void restart();
@@ -170,7 +173,9 @@ void Renderer::State::run(vulkan::Pass pass, const gpu::PushData& push, int widt
     commands.run([&](VkCommandBuffer cmd) {
         vulkan::memory_barrier(cmd);
         if (pass == vulkan::Pass::counts) film.clear_ray_counts(cmd);
+        clock.begin(cmd);
         passes.record(cmd, pass, set, push, width, height);
+        clock.end(cmd);
         vulkan::memory_barrier(cmd);
     });
 }
@@ -184,6 +189,17 @@ void Renderer::State::run_unjittered(vulkan::Pass pass, const gpu::PushData& pus
     run(pass, push, width, height);
     parameters = saved;
     apply_parameters();
+}
+
+void Renderer::State::trace_layers(bool counting) {
+    film.make_aov(context);
+    if (counting) film.make_ray_counts(context);
+    film.write_bindings(context.device(), set);
+    gpu::PushData push{};
+    push.extent = {film.width(), film.height()};
+    run_unjittered(counting ? vulkan::Pass::counts : vulkan::Pass::aov, push, film.width(), film.height());
+    aov_is_fresh = true;
+    counts_are_fresh = counts_are_fresh || counting;
 }
 
 void Renderer::State::restart() {
@@ -342,18 +358,17 @@ std::vector<float> Renderer::read_back(Layer layer) {
     State& s = *state_;
     if (layer == Layer::beauty) return s.film.beauty(s.context, s.commands);
     const bool counting = layer == Layer::counts;
-    if (counting ? !s.counts_are_fresh : !s.aov_is_fresh) {
-        s.film.make_aov(s.context);
-        if (counting) s.film.make_ray_counts(s.context);
-        s.film.write_bindings(s.context.device(), s.set);
-        gpu::PushData push{};
-        push.extent = {width(), height()};
-        s.run_unjittered(counting ? vulkan::Pass::counts : vulkan::Pass::aov, push, width(), height());
-        s.aov_is_fresh = true;
-        s.counts_are_fresh = s.counts_are_fresh || counting;
-    }
+    if (counting ? !s.counts_are_fresh : !s.aov_is_fresh) s.trace_layers(counting);
     return s.film.layer(layer);
 }
+
+double Renderer::trace_layers() {
+    Stopwatch watch;
+    state_->trace_layers(false);
+    return watch.lap_ms();
+}
+
+double Renderer::last_device_ms() const { return state_->clock.last_ms(); }
 
 std::vector<std::uint8_t> Renderer::read_back_display() {
     return state_->film.display_pixels(state_->context, state_->commands);

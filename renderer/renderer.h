@@ -138,6 +138,11 @@ class Renderer {
     // Tone-mapped 8-bit sRGB, 4 channels, row 0 at the top.
     std::vector<std::uint8_t> read_back_display();
 
+    // Traces the layers but counts afresh, without reading them. Returns milliseconds of wall clock.
+    double trace_layers();
+    // What the device's own clock says of the last trace, in milliseconds; 0 where it has none.
+    double last_device_ms() const;
+
     // First hits of any rays with the displaced surface as uploaded, by the method in use, unjittered.
     std::vector<PickHit> pick(std::span<const Ray> rays);
     // The same for one ray, with all that the method did on its way.

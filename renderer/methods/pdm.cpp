@@ -4,10 +4,12 @@
 namespace relievo {
 namespace {
 
+constexpr double kSteps[] = {0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.00025};
+
 constexpr MethodParameter kParameters[] = {
     {"dt", "radii", "Step along the ray, as a fraction of the object's bounding-sphere radius. Smaller is truer and slower; "
                     "features thinner than a step can be missed.",
-     1e-5, 0.1, 0.002},
+     1e-5, 0.1, 0.002, false, kSteps},
     {"jitter", "", "Shift the first sample at random (paper section 5.3), so that thin features appear over many samples "
                    "instead of never.",
      0, 1, 1, true},

@@ -13,6 +13,8 @@ struct MethodParameter {
     std::string_view name, unit, tooltip;
     double low, high, standard;
     bool is_switch = false;  // 0 or 1
+    // What trades error against time: the values that `compare` tries, coarse and quick ones first. Empty: left as it is.
+    std::span<const double> sweep{};
 };
 
 // Which boxes and per-triangle data a method's rays meet.

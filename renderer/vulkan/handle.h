@@ -41,6 +41,7 @@ using ImageHandle = Handle<VkImage, vkDestroyImage>;
 using ImageViewHandle = Handle<VkImageView, vkDestroyImageView>;
 using MemoryHandle = Handle<VkDeviceMemory, vkFreeMemory>;
 using CommandPoolHandle = Handle<VkCommandPool, vkDestroyCommandPool>;
+using QueryPoolHandle = Handle<VkQueryPool, vkDestroyQueryPool>;
 using FenceHandle = Handle<VkFence, vkDestroyFence>;
 
 }  // namespace relievo::vulkan
