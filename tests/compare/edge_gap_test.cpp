@@ -72,8 +72,53 @@ class EdgeGaps : public testing::Test {
 };
 
 TEST_F(EdgeGaps, OfSamplingAreTheSameAtEveryStep) {
-    for (const double dt : {0.01, 0.005, 0.002, 0.001, 0.00025}) of("pdm", {{"dt", dt}});
-    of("exact");
+    const EdgeGap finest = of("pdm", {{"dt", 0.00025}});
+    EXPECT_GT(finest.points, 350);
+    EXPECT_GT(finest.gap.median, 1e-3);
+    EXPECT_GT(finest.gap.p99, 1e-2);
+    EXPECT_GT(finest.wide, 0.4);
+    EXPECT_GT(finest.leaks, finest.rays / 20);
+    for (const double dt : {0.01, 0.005, 0.002, 0.001}) {
+        const EdgeGap gap = of("pdm", {{"dt", dt}});
+        EXPECT_NEAR(gap.gap.median, finest.gap.median, 0.05 * finest.gap.median) << dt;
+        EXPECT_NEAR(gap.gap.p99, finest.gap.p99, 0.05 * finest.gap.p99) << dt;
+    }
+}
+
+TEST_F(EdgeGaps, OfTheExactMethodAreNone) {
+    const EdgeGap gap = of("exact");
+    EXPECT_GT(gap.points, 350);
+    EXPECT_LT(gap.gap.most, 1e-4);
+    EXPECT_EQ(gap.wide, 0);
+    EXPECT_EQ(gap.leaks, 0);
+}
+
+class EdgeGapsOfAFlatMap : public EdgeGaps {
+  protected:
+    EdgeGapsOfAFlatMap() : EdgeGaps(lump(0.4, true)) {}
+};
+
+TEST_F(EdgeGapsOfAFlatMap, ShowTheFlawOfTheProjectionAlone) {
+    EXPECT_GT(of("pdm", {{"dt", 0.001}}).gap.median, 1e-3);
+    EXPECT_LT(of("exact").gap.most, 1e-4);
+}
+
+class EdgeGapsOfAPlane : public EdgeGaps {
+  protected:
+    static SampleSurface plane() {
+        SampleSurface s;
+        s.mesh = plane_mesh();
+        s.amplitude = 0.1;
+        s.midlevel = 0.5;
+        s.paint(128, 128, [](int x, int y) { return dunes((x + 0.5) / 128, (y + 0.5) / 128); });
+        return s;
+    }
+    EdgeGapsOfAPlane() : EdgeGaps(plane()) {}
+};
+
+TEST_F(EdgeGapsOfAPlane, AreNoneWhereNeighboursShareTheirNormals) {
+    EXPECT_LT(of("pdm", {{"dt", 0.001}}).gap.p99, 1e-4);
+    EXPECT_LT(of("exact").gap.most, 1e-4);
 }
 
 }  // namespace
