@@ -12,10 +12,20 @@ ProgressBar::ProgressBar(std::string label)
     : label_(std::move(label)), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar() {
-    if (shown_) std::fputs("\r\033[K", stderr);
+    clear();
 }
 
-void ProgressBar::update(std::size_t done, std::size_t total) {
+void ProgressBar::clear() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+    shown_ = false;
+}
+
+void ProgressBar::say(const std::string& line) {
+    clear();
+    std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+void ProgressBar::update(std::size_t done, std::size_t total, const std::string& note) {
     const auto now = std::chrono::steady_clock::now();
     if (!terminal_ || total == 0 || now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
@@ -23,7 +33,8 @@ void ProgressBar::update(std::size_t done, std::size_t total) {
     constexpr std::size_t kCells = 30;
     const std::size_t filled = done * kCells / total;
     const std::string bar = std::string(filled, '#') + std::string(kCells - filled, '.');
-    std::fprintf(stderr, "\r%s [%s] %zu of %zu\033[K", label_.c_str(), bar.c_str(), done, total);
+    const std::string behind = note.empty() ? std::to_string(done) + " of " + std::to_string(total) : note;
+    std::fprintf(stderr, "\r%s [%s] %s\033[K", label_.c_str(), bar.c_str(), behind.c_str());
     std::fflush(stderr);
 }
 

@@ -14,7 +14,10 @@ class ProgressBar {
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    void update(std::size_t done, std::size_t total);
+    // `note`: what stands behind the bar; how many are done when empty.
+    void update(std::size_t done, std::size_t total, const std::string& note = {});
+    void say(const std::string& line);  // a line on stderr that stays, terminal or not
+    void clear();
 
   private:
     std::string label_;

@@ -20,6 +20,7 @@ using Command = std::function<int()>;  // returns the exit status; throws as eve
 void add_edit(CLI::App& app, Command& command, const EditorEntry& editor);
 void add_render(CLI::App& app, Command& command);
 void add_replay(CLI::App& app, Command& command);
+void add_compare(CLI::App& app, Command& command);
 void add_explain(CLI::App& app, Command& command);
 void add_devices(CLI::App& app, Command& command);
 

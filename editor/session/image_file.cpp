@@ -58,6 +58,17 @@ void write_png(const fs::path& path, const DisplayPicture& picture) {
     encode_and_write(path, "png", spec, OIIO::TypeDesc::UINT8, picture.rgba.data());
 }
 
+void write_jpeg(const fs::path& path, const DisplayPicture& picture) {
+    OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("compression", "jpeg:92");
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(picture.rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+        rgb.insert(rgb.end(), {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]});
+    encode_and_write(path, "jpeg", spec, OIIO::TypeDesc::UINT8, rgb.data());
+}
+
 void write_exr(const fs::path& path, const FloatPicture& picture) {
     OIIO::ImageSpec spec(picture.width, picture.height, static_cast<int>(picture.channels.size()),
                          OIIO::TypeDesc::FLOAT);

@@ -19,10 +19,11 @@ struct FloatPicture {  // row 0 at the top
     std::vector<float> values;  // channels.size() a pixel
 };
 
-// Both write atomically (brushes/atomic_file.h). Throw std::invalid_argument that names the path
+// These write atomically (brushes/atomic_file.h). Throw std::invalid_argument that names the path
 // when it cannot be written; an older file then stays whole.
 void write_png(const std::filesystem::path& path, const DisplayPicture& picture);
 void write_exr(const std::filesystem::path& path, const FloatPicture& picture);
+void write_jpeg(const std::filesystem::path& path, const DisplayPicture& picture);  // without alpha
 
 // Any 8-bit picture with 3 or 4 channels. Throws std::invalid_argument that names the file.
 DisplayPicture read_display_picture(const std::filesystem::path& path);

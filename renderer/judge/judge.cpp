@@ -2,10 +2,12 @@
 #include "renderer/judge/judge.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <thread>
 
 #include "renderer/judge/silhouettes.h"
 
@@ -136,28 +138,48 @@ bool Judge::explained(const ReferenceSurface& surface, int x, int y, double meth
     return false;
 }
 
+std::vector<char> Judge::find_unexplained(const ReferenceSurface& surface, std::span<const float> depth,
+                                          std::span<const std::size_t> pixels) const {
+    std::vector<char> unexplained(pixels.size());
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+        for (std::size_t k = next++; k < pixels.size(); k = next++) {
+            const std::size_t i = pixels[k], width = static_cast<std::size_t>(image_.width);
+            unexplained[k] = !explained(surface, static_cast<int>(i % width), static_cast<int>(i / width),
+                                        static_cast<double>(depth[i]));
+        }
+    };
+    std::vector<std::thread> helpers;
+    if (pixels.size() > 8)
+        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) helpers.emplace_back(work);
+    work();
+    for (std::thread& helper : helpers) helper.join();
+    return unexplained;
+}
+
 void Judge::count_unexplained(const ReferenceSurface& surface, std::span<const float> depth,
                               ImageComparison& result, int most) const {
     std::vector<std::size_t> wrong;
     for (std::size_t i = 0; i < image_.depth.size(); ++i)
         if (!agrees(image_.object[i], image_.depth[i], static_cast<double>(depth[i]))) wrong.push_back(i);
-    if (wrong.empty()) return;
-    const auto limit = static_cast<std::size_t>(std::max(most, 1));
-    const std::size_t examined = std::min(wrong.size(), limit);
-    std::size_t unexplained = 0;
+    const std::size_t examined = std::min(wrong.size(), static_cast<std::size_t>(std::max(most, 1)));
+    if (examined == 0) return;
+    std::vector<std::size_t> pixels;
+    for (std::size_t k = 0; k < examined; ++k) pixels.push_back(wrong[k * wrong.size() / examined]);
+    const std::vector<char> unexplained = find_unexplained(surface, depth, pixels);
+    const auto count = static_cast<std::size_t>(std::count(unexplained.begin(), unexplained.end(), 1));
+    result.unexplained += static_cast<int>(count * wrong.size() / examined);
     for (std::size_t k = 0; k < examined; ++k) {
-        const std::size_t i = wrong[k * wrong.size() / examined];
-        const int x = static_cast<int>(i % static_cast<std::size_t>(image_.width)),
-                  y = static_cast<int>(i / static_cast<std::size_t>(image_.width));
-        const double z = static_cast<double>(depth[i]), expected = image_.depth[i];
-        if (explained(surface, x, y, z)) continue;
-        if (unexplained++ >= static_cast<std::size_t>(kExamples)) continue;
+        if (!unexplained[k] || result.unexplained_examples.size() >= static_cast<std::size_t>(kExamples))
+            continue;
+        const std::size_t i = pixels[k], width = static_cast<std::size_t>(image_.width);
+        const double z = static_cast<double>(depth[i]);
         const OffPixel::Kind kind = !std::isfinite(z)       ? OffPixel::Kind::missed
                                     : image_.object[i] == 0 ? OffPixel::Kind::invented
                                                             : OffPixel::Kind::depth;
-        result.unexplained_examples.push_back({kind, x, y, expected, z});
+        result.unexplained_examples.push_back(
+            {kind, static_cast<int>(i % width), static_cast<int>(i / width), image_.depth[i], z});
     }
-    result.unexplained += static_cast<int>(unexplained * wrong.size() / examined);
 }
 
 std::vector<Judge::PixelError> Judge::errors(std::span<const float> depth) const {

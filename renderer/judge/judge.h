@@ -41,6 +41,8 @@ class Judge {
   private:
     glm::dvec3 direction(int x, int y) const;
     bool agrees(std::uint32_t object, double reference, double method) const;
+    std::vector<char> find_unexplained(const ReferenceSurface& surface, std::span<const float> depth,
+                                       std::span<const std::size_t> pixels) const;
     bool explained(const ReferenceSurface& surface, int x, int y, double method) const;
 
     ReferenceImage image_;

@@ -52,7 +52,7 @@ class Program : public testing::Test {
 };
 
 TEST_F(Program, EveryVerbHasHelp) {
-    for (const char* verb : {"edit", "render", "replay", "explain", "devices"}) {
+    for (const char* verb : {"edit", "render", "replay", "compare", "explain", "devices"}) {
         const Outcome outcome = run_program({verb, "--help"});
         EXPECT_EQ(outcome.status, 0) << verb;
         EXPECT_NE(outcome.out.find("Options:"), std::string::npos) << verb;
@@ -63,7 +63,7 @@ TEST_F(Program, EveryVerbHasHelp) {
 }
 
 TEST_F(Program, WrongUsageIsOneLine) {
-    expect_refused({"rendr"}, "\"rendr\" is not a verb; known are edit, render, replay, explain, devices");
+    expect_refused({"rendr"}, "\"rendr\" is not a verb; known are edit, render, replay, compare, explain, devices");
     expect_refused({"render"}, "SCENE");
     expect_refused({"render", scene_}, "--output is required");
     expect_refused({"render", scene_, "-o", path("a.png"), "--quick"}, "--quick");

@@ -1,0 +1,206 @@
+// See scene_run.h.
+#include "editor/session/compare/scene_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "editor/session/compare/answers.h"
+#include "editor/session/compare/image_error.h"
+#include "editor/session/compare/method_renderers.h"
+#include "editor/session/compare/quality.h"
+#include "editor/session/compare/rounds.h"
+#include "editor/session/scene_input.h"
+#include "renderer/judge/error_units.h"
+#include "renderer/stopwatch.h"
+
+namespace relievo {
+namespace {
+
+// Parts of a scene's time: what the reference and the errors may take of a budget; the rest is for frames and
+// edits.
+constexpr double kReferencePart = 0.2, kErrorsPart = 0.55, kEditsPart = 0.12;
+// What the errors of a point cost beside its frames (of which they take about as many as kErrorFrames), and
+// how much longer the frames of the next finer point of a sweep may take.
+constexpr double kErrorFrames = 6, kErrorSeconds = 0.5, kSlowerStep = 2;
+
+class SceneRun {
+  public:
+    SceneRun(vulkan::Context& context, const SceneTask& task, const Budget& budget, const TellPart& tell)
+        : task_(task), budget_(budget), tell_(tell), scene_(open_scene(task.file)) {
+        describe();
+        tell_("tracing the reference", 0);
+        choose_judged_size();
+        Stopwatch watch;
+        judge_ = std::make_unique<QualityJudge>(scene_, result_.judged_width, result_.judged_height);
+        result_.reference_ms = watch.lap_ms();
+        result_.undecided = judge_->image().undecided;
+        renderers_ = std::make_unique<MethodRenderers>(context, scene_, result_.judged_width,
+                                                       result_.judged_height, task.path);
+    }
+
+    ComparedScene run() {
+        measure_errors();
+        compare_images();
+        measure_times();
+        answer_speed(result_);
+        return std::move(result_);
+    }
+
+  private:
+    const Scene& scene() const { return scene_.scene(); }
+    void describe();
+    void choose_judged_size();
+    bool may_measure(std::size_t point) const;
+    void measure_errors();
+    void measure(std::size_t point);
+    void compare_images();
+    void measure_times();
+    glm::dvec2 edited_place() const;
+
+    const SceneTask& task_;
+    const Budget& budget_;
+    const TellPart& tell_;
+    ReferenceScene scene_;
+    ComparedScene result_;
+    std::unique_ptr<QualityJudge> judge_;
+    std::unique_ptr<MethodRenderers> renderers_;
+    std::vector<const PointChoice*> choices_;  // of the points that were measured, like what follows
+    std::vector<QualityJudge::Measured> measured_;
+    std::map<const Method*, double> next_seconds_;  // expected of the method's next point
+};
+
+void SceneRun::describe() {
+    const Scene& s = scene();
+    result_.name = task_.name;
+    result_.file = task_.file.string();
+    result_.warnings = s.warnings;
+    result_.objects = static_cast<int>(s.objects.size());
+    for (const SceneObject& object : s.objects)
+        result_.triangles += static_cast<int>(object.mesh.faces.size());
+    result_.map_width = scene_.map(0).width();
+    result_.map_height = scene_.map(0).height();
+    const ErrorUnit unit = error_units(s).front();
+    result_.error_unit = unit.name();
+    result_.unit_length = unit.length;
+    result_.width = task_.width > 0 ? task_.width : s.image.width;
+    result_.height = task_.height > 0 ? task_.height : s.image.height;
+}
+
+// The frames' own size, or a smaller one where the reference would eat the budget.
+void SceneRun::choose_judged_size() {
+    result_.judged_width = result_.width;
+    result_.judged_height = result_.height;
+    if (budget_.endless()) return;
+    const double seconds = QualityJudge::estimate_seconds(scene_, result_.width, result_.height),
+                 allowed = kReferencePart * budget_.limit();
+    if (seconds <= allowed) return;
+    const double scale = std::sqrt(std::max(allowed, 1e-6) / seconds);
+    result_.judged_width = std::max(16, static_cast<int>(result_.width * scale));
+    result_.judged_height = std::max(16, static_cast<int>(result_.height * scale));
+    result_.cut.push_back("errors are those of " + std::to_string(result_.judged_width) + " x " +
+                          std::to_string(result_.judged_height) +
+                          " images: the reference would have taken too long");
+}
+
+// The first point of every method is always measured.
+bool SceneRun::may_measure(std::size_t point) const {
+    const auto next = next_seconds_.find(task_.points[point].method);
+    if (budget_.endless() || next == next_seconds_.end()) return true;
+    return budget_.spent() + next->second < kErrorsPart * budget_.limit();
+}
+
+void SceneRun::measure_errors() {
+    for (std::size_t i = 0; i < task_.points.size(); ++i) {
+        const PointChoice& choice = task_.points[i];
+        const double part = static_cast<double>(i) / static_cast<double>(task_.points.size());
+        tell_("errors of " + choice.label, kReferencePart / 2 + part * (kErrorsPart - kReferencePart / 2));
+        if (may_measure(i)) {
+            measure(i);
+        } else {
+            result_.cut.push_back(choice.label + " was not measured");
+        }
+    }
+}
+
+void SceneRun::measure(std::size_t index) {
+    const PointChoice& choice = task_.points[index];
+    Renderer& renderer = renderers_->select(choice);
+    ComparedPoint point;
+    point.method = std::string(choice.method->name);
+    point.swept = choice.swept;
+    point.label = choice.label;
+    std::string name = task_.name + "_" + choice.label;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    point.picture = "pictures/" + name + ".jpg";
+    point.error_map = "pictures/" + name + "_error.png";
+    const auto& build = renderers_->build_of(choice);
+    point.build_ms = build.ms;
+    point.features = build.features;
+    point.bytes = build.features.bytes_total;
+    measured_.push_back(
+        judge_->measure(renderer, point, task_.folder / point.picture, task_.folder / point.error_map));
+    choices_.push_back(&choice);
+    result_.points.push_back(std::move(point));
+    next_seconds_[choice.method] =
+        kErrorSeconds + kErrorFrames * kSlowerStep * measured_.back().frame_ms * 1e-3;
+}
+
+void SceneRun::compare_images() {
+    tell_("comparing images", kErrorsPart);
+    result_.most_exact = most_exact_point(result_.points);
+    const std::vector<float>& truth = measured_[result_.most_exact].beauty;
+    for (std::size_t i = 0; i < result_.points.size(); ++i)
+        result_.points[i].image =
+            image_error(result_.judged_width, result_.judged_height, measured_[i].beauty, truth);
+}
+
+// Where the reference hits nearest to the middle of the image: what one would sculpt on.
+glm::dvec2 SceneRun::edited_place() const {
+    const ReferenceImage& image = judge_->image();
+    glm::dvec2 uv(0.5);
+    double nearest = 1e300;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                           static_cast<std::size_t>(x);
+            const double distance = std::hypot(x - image.width / 2, y - image.height / 2);
+            if (image.object[i] != 1 || distance >= nearest) continue;
+            nearest = distance;
+            uv = image.uv[i];
+        }
+    return uv;
+}
+
+void SceneRun::measure_times() {
+    renderers_->resize(result_.width, result_.height);
+    const double pixels = static_cast<double>(result_.width) * result_.height /
+                          (static_cast<double>(result_.judged_width) * result_.judged_height);
+    std::vector<TimedPoint> points;
+    for (std::size_t i = 0; i < result_.points.size(); ++i)
+        points.push_back({choices_[i], &result_.points[i], measured_[i].frame_ms * pixels});
+    const double kept = budget_.endless() ? 0 : kEditsPart * budget_.limit();
+    if (!budget_.endless()) fit_points(points, budget_.left() - kept, result_.cut);
+    const auto telling = [&](const char* what, double from, double to) {
+        return [this, what, from, to](int round, int rounds) {
+            tell_(what + std::to_string(round) + " of " + std::to_string(rounds),
+                  from + (to - from) * round / (rounds + 1));
+        };
+    };
+    result_.rounds = time_frames(*renderers_, points, budget_, kept,
+                                 telling("frames, round ", kErrorsPart, 1 - kEditsPart));
+    time_edits(*renderers_, points, scene_.map(0), edited_place(), budget_,
+               telling("edits, round ", 1 - kEditsPart, 1));
+    if (!budget_.endless() && result_.rounds < 3)
+        result_.cut.push_back("only " + std::to_string(result_.rounds) + " rounds of frames were timed");
+}
+
+}  // namespace
+
+ComparedScene compare_on_scene(vulkan::Context& context, const SceneTask& task, const Budget& budget,
+                               const TellPart& tell) {
+    return SceneRun(context, task, budget, tell).run();
+}
+
+}  // namespace relievo

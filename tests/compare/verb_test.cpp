@@ -1,0 +1,100 @@
+// relievo compare as its users run it: the files that it leaves, a budget that is kept, and one line for bad
+// input.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/cli/program.h"
+#include "tests/session/test_scene.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Outcome;
+using test::run_program;
+
+class CompareVerb : public testing::Test {
+  protected:
+    CompareVerb() : scene_(test::write_scene(folder_.path()).string()) {}
+
+    std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+
+    static void expect_refused(const std::vector<std::string>& arguments, const std::string& words) {
+        const Outcome outcome = run_program(arguments);
+        EXPECT_EQ(outcome.status, 2) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+
+    test::TemporaryFolder folder_;
+    std::string scene_;
+};
+
+TEST_F(CompareVerb, WritesAReportWithinItsBudget) {
+    if (!test::have_device()) GTEST_SKIP() << "no Vulkan device";
+    constexpr double kBudget = 12;
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome outcome =
+        run_program({"compare", scene_, "-o", path("report"), "--budget", "12", "--size", "64x48", "--json"});
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_LT(seconds, kBudget + 4);
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json, nlohmann::json::parse(test::read_text(path("report/results.json"))));
+    EXPECT_LE(json["spent_s"], kBudget + 3);
+    ASSERT_EQ(json["scenes"].size(), 1u);
+    const auto& scene = json["scenes"][0];
+    EXPECT_EQ(scene["frame"], nlohmann::json({64, 48}));
+    ASSERT_GE(scene["points"].size(), 2u);
+    const auto& first = scene["points"][0];
+    EXPECT_GT(first["errors"]["both"], 100);
+    EXPECT_GT(first["per_ray"]["boxes"], 0);
+    EXPECT_GT(first["bytes"], 1000);
+    EXPECT_GE(first["primary_ms"]["rounds"], 1);
+    EXPECT_GT(first["primary_ms"]["wall"]["median"], 0);
+    EXPECT_GT(first["primary_ms"]["device"]["median"], 0);
+    EXPECT_GT(first["edge_gap"]["points"], 100);
+    for (const auto& point : scene["points"]) {
+        EXPECT_TRUE(fs::exists(folder_.path() / "report" / point["picture"].get<std::string>()));
+        EXPECT_TRUE(fs::exists(folder_.path() / "report" / point["error_map"].get<std::string>()));
+    }
+    for (const char* file : {"index.html", "results.csv", "summary.md", "plot_all.svg", "plot_scene.svg"})
+        EXPECT_GT(fs::file_size(folder_.path() / "report" / file), 200u) << file;
+    EXPECT_EQ(test::read_text(path("report/index.html")).find("http"), std::string::npos);
+}
+
+TEST_F(CompareVerb, JudgesTheMethodsThatAreAskedForTheFirstFirst) {
+    if (!test::have_device()) GTEST_SKIP() << "no Vulkan device";
+    const Outcome outcome = run_program({"compare", scene_, "-o", path("report"), "--budget", "6", "--size",
+                                         "32x32", "--methods", "exact", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["methods"], nlohmann::json({"exact"}));
+    ASSERT_EQ(json["scenes"][0]["points"].size(), 1u);
+    const auto& errors = json["scenes"][0]["points"][0]["errors"];
+    EXPECT_EQ(errors["missed"], 0);
+    EXPECT_LE(errors["depth"]["p99"], 1e-4);
+    EXPECT_LE(json["scenes"][0]["points"][0]["edge_gap"]["gap"]["max"], 1e-4);
+}
+
+TEST_F(CompareVerb, BadInputIsOneLine) {
+    expect_refused({"compare", scene_}, "--output is required");
+    expect_refused({"compare", "-o", path("report")}, "SCENE");
+    expect_refused({"compare", path("none.json"), "-o", path("report")}, "none.json");
+    expect_refused({"compare", scene_, "-o", path("report"), "--methods", "exact,magic"},
+                   "--methods: there is no method 'magic'");
+    expect_refused({"compare", scene_, "-o", path("report"), "--budget", "-3"}, "--budget");
+    expect_refused({"compare", scene_, "-o", path("report"), "--size", "12"}, "--size");
+    expect_refused({"compare", scene_, "-o", scene_}, "cannot make the folder");
+    expect_refused({"compare", scene_, "-o", "/proc/none/report"},
+                   "/proc/none/report: cannot make the folder");
+    EXPECT_FALSE(fs::exists(path("report")));
+}
+
+}  // namespace
+}  // namespace relievo
