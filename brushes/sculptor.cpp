@@ -95,11 +95,13 @@ bool Sculptor::can_redo() const {
 
 std::vector<TexelRect> Sculptor::undo() {
     state_->require_stroke(false, "undo");
+    state_->clipped = 0;  // no longer of the map's last change
     return merge_rects(state_->undo.undo(state_->map));
 }
 
 std::vector<TexelRect> Sculptor::redo() {
     state_->require_stroke(false, "redo");
+    state_->clipped = 0;
     return merge_rects(state_->undo.redo(state_->map));
 }
 

@@ -43,8 +43,8 @@ class Sculptor {
     std::size_t undo_bytes() const;  // held by undo and redo tiles now
     std::size_t undo_budget() const;
 
-    // Texels at count 0 or 65535 that a stroke tried to push further since begin(): the editor's clip
-    // warning.
+    // Texels at count 0 or 65535 that a stroke tried to push further since begin(), 0 after undo and
+    // redo: the editor's clip warning.
     std::size_t clipped_texels() const;
 
   private:

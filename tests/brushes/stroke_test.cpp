@@ -189,6 +189,8 @@ TEST(Clip, texels_pushed_beyond_the_range_are_counted_once) {
     plane.sculptor.end();
     EXPECT_EQ(plane.sculptor.clipped_texels(), clipped) << "until the next stroke";
     EXPECT_EQ(plane.map.at(32, 32), 65535);
+    plane.sculptor.undo();
+    EXPECT_EQ(plane.sculptor.clipped_texels(), 0u) << "the stroke is gone, and its warning";
 }
 
 TEST(Misuse, calls_out_of_order_and_dabs_off_the_mesh_throw_and_change_nothing) {
