@@ -76,8 +76,10 @@ void Film::make_ray_counts(vulkan::Context& context) {
                                  vulkan::Access::host);
 }
 
-void Film::clear_ray_counts(VkCommandBuffer cmd) const {
-    vkCmdFillBuffer(cmd, ray_counts_.get(), 0, VK_WHOLE_SIZE, 0);
+void Film::clear_ray_counts(VkCommandBuffer cmd, int row_begin, int row_end) const {
+    const VkDeviceSize row = static_cast<VkDeviceSize>(width_) * sizeof(glm::uvec4);
+    vkCmdFillBuffer(cmd, ray_counts_.get(), static_cast<VkDeviceSize>(row_begin) * row,
+                    static_cast<VkDeviceSize>(row_end - row_begin) * row, 0);
     vulkan::memory_barrier(cmd);
 }
 
@@ -119,26 +121,26 @@ std::vector<float> Film::beauty(vulkan::Context& context, vulkan::Commands& comm
     return result;
 }
 
-std::vector<float> Film::layer(Layer layer) const {
-    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-    const auto* from = aov_.as<gpu::AovPixel>();
+std::vector<float> Film::layer(Layer layer, const PixelRect& window) const {
     std::vector<float> result;
     const auto add = [&](const glm::vec3& v) { result.insert(result.end(), {v.x, v.y, v.z}); };
-    for (std::size_t i = 0; i < pixels; ++i) {
+    const auto add_pixel = [&](std::size_t i) {
+        const auto* from = aov_.as<gpu::AovPixel>();
         switch (layer) {
-            case Layer::depth: result.push_back(from[i].depth); break;
-            case Layer::normal: add(from[i].normal); break;
-            case Layer::shading_normal: add(from[i].shading_normal); break;
-            case Layer::uv: result.insert(result.end(), {from[i].uv.x, from[i].uv.y}); break;
-            case Layer::id: result.push_back(from[i].id); break;
-            case Layer::counts: {
-                const glm::uvec4& c = ray_counts_.as<glm::uvec4>()[i];
-                for (int k = 0; k < 4; ++k) result.push_back(static_cast<float>(c[k]));
-                break;
-            }
-            case Layer::beauty: break;  // not of this buffer
+            case Layer::depth: return result.push_back(from[i].depth);
+            case Layer::normal: return add(from[i].normal);
+            case Layer::shading_normal: return add(from[i].shading_normal);
+            case Layer::uv: result.insert(result.end(), {from[i].uv.x, from[i].uv.y}); return;
+            case Layer::id: return result.push_back(from[i].id);
+            case Layer::counts:
+                for (int k = 0; k < 4; ++k) result.push_back(static_cast<float>(ray_counts_.as<glm::uvec4>()[i][k]));
+                return;
+            case Layer::beauty: return;  // not of this buffer
         }
-    }
+    };
+    for (int y = window.y0; y < window.y1; ++y)
+        for (int x = window.x0; x < window.x1; ++x)
+            add_pixel(static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
     return result;
 }
 

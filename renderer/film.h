@@ -25,12 +25,13 @@ class Film {
     bool has_aov() const { return aov_.bytes() > 64; }
     void make_ray_counts(vulkan::Context& context);  // at the first wish for them
     bool has_ray_counts() const { return ray_counts_.bytes() > 64; }
-    void clear_ray_counts(VkCommandBuffer cmd) const;
+    void clear_ray_counts(VkCommandBuffer cmd, int row_begin, int row_end) const;
 
     void write_bindings(VkDevice device, VkDescriptorSet set) const;
 
     std::vector<float> beauty(vulkan::Context& context, vulkan::Commands& commands) const;
-    std::vector<float> layer(Layer layer) const;  // from the AOV buffer as last traced
+    // From the buffers as last traced.
+    std::vector<float> layer(Layer layer, const PixelRect& window) const;
     std::vector<std::uint8_t> display_pixels(vulkan::Context& context, vulkan::Commands& commands) const;
 
     std::uint64_t image_bytes() const;

@@ -79,6 +79,10 @@ struct Renderer::State {
 
     gpu::FrameData& frame_data() { return *frame.as<gpu::FrameData>(); }
     PixelRect whole() const { return {0, 0, film.width(), film.height()}; }
+    PixelRect inside(const PixelRect& window) const {
+        return {std::max(0, window.x0), std::max(0, window.y0), std::min(film.width(), window.x1),
+                std::min(film.height(), window.y1)};
+    }
     void build();
     void build_scene();
     void make_set();
@@ -87,7 +91,6 @@ struct Renderer::State {
     void write_own_bindings();
     void run(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
     void run_unjittered(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
-    void trace_layers(bool counting);
     bool has_notes() const { return notes.bytes() >= kNotesBytes; }
     void count_bytes();
     void restart();
@@ -172,7 +175,7 @@ void Renderer::State::apply_parameters() {
 void Renderer::State::run(vulkan::Pass pass, const gpu::PushData& push, int width, int height) {
     commands.run([&](VkCommandBuffer cmd) {
         vulkan::memory_barrier(cmd);
-        if (pass == vulkan::Pass::counts) film.clear_ray_counts(cmd);
+        if (pass == vulkan::Pass::counts) film.clear_ray_counts(cmd, push.offset.y, push.offset.y + push.extent.y);
         clock.begin(cmd);
         passes.record(cmd, pass, set, push, width, height);
         clock.end(cmd);
@@ -189,17 +192,6 @@ void Renderer::State::run_unjittered(vulkan::Pass pass, const gpu::PushData& pus
     run(pass, push, width, height);
     parameters = saved;
     apply_parameters();
-}
-
-void Renderer::State::trace_layers(bool counting) {
-    film.make_aov(context);
-    if (counting) film.make_ray_counts(context);
-    film.write_bindings(context.device(), set);
-    gpu::PushData push{};
-    push.extent = {film.width(), film.height()};
-    run_unjittered(counting ? vulkan::Pass::counts : vulkan::Pass::aov, push, film.width(), film.height());
-    aov_is_fresh = true;
-    counts_are_fresh = counts_are_fresh || counting;
 }
 
 void Renderer::State::restart() {
@@ -330,8 +322,7 @@ void Renderer::restart(const PixelRect& window) {
 
 double Renderer::render(const PixelRect& window, Quality quality) {
     State& s = *state_;
-    const PixelRect w{std::max(0, window.x0), std::max(0, window.y0), std::min(width(), window.x1),
-                      std::min(height(), window.y1)};
+    const PixelRect w = s.inside(window);
     if (w.x0 >= w.x1 || w.y0 >= w.y1) return 0;
     Stopwatch watch;
     gpu::PushData push{};
@@ -358,14 +349,41 @@ std::vector<float> Renderer::read_back(Layer layer) {
     State& s = *state_;
     if (layer == Layer::beauty) return s.film.beauty(s.context, s.commands);
     const bool counting = layer == Layer::counts;
-    if (counting ? !s.counts_are_fresh : !s.aov_is_fresh) s.trace_layers(counting);
-    return s.film.layer(layer);
+    if (counting ? !s.counts_are_fresh : !s.aov_is_fresh) {
+        trace_layers(s.whole(), counting);
+        s.aov_is_fresh = true;
+        s.counts_are_fresh = s.counts_are_fresh || counting;
+    }
+    return s.film.layer(layer, s.whole());
+}
+
+double Renderer::trace_layers(const PixelRect& window, bool with_counts) {
+    State& s = *state_;
+    const PixelRect w = s.inside(window);
+    if (w.x0 >= w.x1 || w.y0 >= w.y1) return 0;
+    if (!s.film.has_aov() || (with_counts && !s.film.has_ray_counts())) {
+        s.film.make_aov(s.context);
+        if (with_counts) s.film.make_ray_counts(s.context);
+        s.film.write_bindings(s.context.device(), s.set);
+    }
+    // Counts of whole rows are cleared, of which the window may be a part.
+    if (with_counts) s.counts_are_fresh = false;
+    Stopwatch watch;
+    gpu::PushData push{};
+    push.offset = {w.x0, w.y0};
+    push.extent = {w.x1 - w.x0, w.y1 - w.y0};
+    s.run_unjittered(with_counts ? vulkan::Pass::counts : vulkan::Pass::aov, push, push.extent.x, push.extent.y);
+    return watch.lap_ms();
+}
+
+std::vector<float> Renderer::traced_layer(Layer layer, const PixelRect& window) const {
+    return state_->film.layer(layer, state_->inside(window));
 }
 
 double Renderer::trace_layers() {
-    Stopwatch watch;
-    state_->trace_layers(false);
-    return watch.lap_ms();
+    const double ms = trace_layers(state_->whole());
+    state_->aov_is_fresh = true;
+    return ms;
 }
 
 double Renderer::last_device_ms() const { return state_->clock.last_ms(); }

@@ -135,6 +135,11 @@ class Renderer {
     // nothing is hit); normals: 3; uv: 2; id: 1 (object index + 1, 0 where nothing is hit); counts: 4. AOVs come from the pixel
     // centres and are not jittered.
     std::vector<float> read_back(Layer layer);
+    // Traces the layers of a window alone, in slices as short as a live view needs them; counts only where they are
+    // asked for (they forget those of the rest of their rows). Returns milliseconds of wall clock.
+    double trace_layers(const PixelRect& window, bool with_counts = false);
+    // A window of a layer (but beauty) as it was last traced; it must have been.
+    std::vector<float> traced_layer(Layer layer, const PixelRect& window) const;
     // Tone-mapped 8-bit sRGB, 4 channels, row 0 at the top.
     std::vector<std::uint8_t> read_back_display();
 

@@ -26,6 +26,27 @@ TEST_P(Notes, CountingChangesNoLayerAndCountsWhatIsHit) {
     }
 }
 
+TEST_P(Notes, LayersTracedWindowByWindowAreThoseOfTheWhole) {
+    const Scene scene = make_scene(ball_mesh(), 0.3);
+    const TestMap map = bumps(128);
+    Renderer whole = make_renderer(scene, map, settings_of(scene)), parts = make_renderer(scene, map, settings_of(scene));
+    for (const Layer layer : {Layer::depth, Layer::normal, Layer::uv, Layer::id, Layer::counts}) {
+        const auto all = whole.read_back(layer);
+        const std::size_t channels = all.size() / (96 * 96);
+        for (const PixelRect& window : {PixelRect{0, 0, 40, 33}, PixelRect{40, 0, 96, 33}, PixelRect{0, 33, 200, 96}}) {
+            EXPECT_GT(parts.trace_layers(window, layer == Layer::counts), 0);
+            const auto part = parts.traced_layer(layer, window);
+            const int x1 = std::min(window.x1, 96);
+            ASSERT_EQ(part.size(), static_cast<std::size_t>((x1 - window.x0) * (window.y1 - window.y0)) * channels);
+            auto at = part.begin();
+            for (int y = window.y0; y < window.y1; ++y)
+                for (int x = window.x0; x < x1; ++x)
+                    for (std::size_t c = 0; c < channels; ++c)
+                        ASSERT_EQ(*at++, all[static_cast<std::size_t>(y * 96 + x) * channels + c]) << x << ", " << y;
+        }
+    }
+}
+
 TEST_P(Notes, CountsAreTakenAgainAfterAnEdit) {
     const Scene scene = make_scene(plane_mesh(), 0.3);
     TestMap map = make_map(64, 64, [](double, double) { return 0.5; });
