@@ -55,15 +55,18 @@ struct Session::State {
     const Displacement& displacement() const { return scene.objects.front().displacement; }
 
     void open_view() {
-        std::vector<LoadedMap> others;  // of the objects that are not edited: the renderer copies them
         others.reserve(scene.objects.size());
-        std::vector<const HeightMap*> maps{&file.map};
         for (std::size_t i = 1; i < scene.objects.size(); ++i) {
             const Displacement& other = scene.objects[i].displacement;
             others.push_back(open_map(other, other.map));
-            maps.push_back(&others.back().map);
         }
-        view = std::make_unique<SessionView>(scene, maps, options);
+        view = std::make_unique<SessionView>(scene, maps(), options);
+    }
+
+    std::vector<const HeightMap*> maps() const {
+        std::vector<const HeightMap*> all{&file.map};
+        for (const LoadedMap& other : others) all.push_back(&other.map);
+        return all;
     }
 
     void require_no_stroke() const {
@@ -78,18 +81,21 @@ struct Session::State {
         const std::vector<TexelRect> rects = edit();
         times = {};
         times.edit_ms = milliseconds_since(start);
+        if (!rects.empty()) ++revision;
         book();
         if (view) view->upload(file.map, rects, times);
     }
 
     void restart_image() {
-        if (view) view->renderer().restart();
+        if (view) view->restart();
     }
 
     SessionOptions options;
     Scene scene;
     fs::path start_map;  // empty: a new flat map
     LoadedMap file;
+    std::vector<LoadedMap> others;  // of the objects that are not edited, where there is a renderer
+    std::uint64_t revision = 0;     // of file.map
     MeshSurface surface;
     Sculptor sculptor;
     std::unique_ptr<SessionView> view;
@@ -122,6 +128,12 @@ const HeightMap& Session::map() const {
 const Surface& Session::surface() const {
     return state_->surface;
 }
+const HeightMap& Session::map_of(std::size_t object) const {
+    return object == 0 ? state_->file.map : state_->others.at(object - 1).map;
+}
+std::uint64_t Session::map_revision() const {
+    return state_->revision;
+}
 bool Session::has_renderer() const {
     return state_->view != nullptr;
 }
@@ -134,6 +146,15 @@ Renderer& Session::renderer() {
 vulkan::Context& Session::context() {
     if (!state_->view) throw std::logic_error("this session has no renderer");
     return state_->view->context();
+}
+
+Renderer& Session::compare_with(const MethodChoice& method) {
+    renderer();
+    return state_->view->compare_with(state_->scene, state_->maps(), method);
+}
+
+void Session::stop_comparing() {
+    if (state_->view) state_->view->stop_comparing();
 }
 
 const StageTimes& Session::times() const {

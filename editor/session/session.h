@@ -51,11 +51,19 @@ class Session {
     const Scene& scene() const;  // as set() left it
     HeightMap& map();            // of the edited object: objects[0]
     const HeightMap& map() const;
+    const HeightMap& map_of(std::size_t object) const;  // every object's; std::out_of_range beyond them
+    std::uint64_t map_revision() const;                 // changes whenever map() does
     const Surface& surface() const;
     bool has_renderer() const;
     Renderer& renderer();  // throws std::logic_error without one
     vulkan::Context& context();
     const StageTimes& times() const;
+
+    // A second renderer over the same scene and maps, by a method of its own, to compare two: it follows
+    // every command but the method's, and no journal hears of it. Made at the first call; a later one changes
+    // its method. Throws as Renderer does.
+    Renderer& compare_with(const MethodChoice& method);
+    void stop_comparing();
 
     // What a journal of this session starts with; its `scene` is absolute.
     const JournalHeader& header() const;

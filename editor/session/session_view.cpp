@@ -10,24 +10,61 @@ HeightView view_of(const HeightMap& map) {
     return {map.width(), map.height(), map.texels().data()};
 }
 
+std::vector<HeightView> views_of(std::span<const HeightMap* const> maps) {
+    std::vector<HeightView> views;
+    for (const HeightMap* map : maps) views.push_back(view_of(*map));
+    return views;
+}
+
+void follow_with(Renderer& renderer, SettingScope scope, const Scene& scene) {
+    const SceneObject& object = scene.objects.front();
+    switch (scope) {
+        case SettingScope::camera:
+            return renderer.set_camera(scene.camera);
+        case SettingScope::lights:
+            return renderer.set_lights(scene.lights, scene.environment);
+        case SettingScope::material:
+            return renderer.set_material(0, object.material);
+        case SettingScope::displacement:
+            return renderer.set_displacement(0, object.displacement.amplitude, object.displacement.midlevel);
+        case SettingScope::method:
+            return renderer.set_method(scene.method.name, scene.method.parameters);
+    }
+}
+
 }  // namespace
 
 SessionView::SessionView(const Scene& scene, std::span<const HeightMap* const> maps,
                          const SessionOptions& options)
     : context_(std::make_unique<vulkan::Context>(
-          vulkan::ContextOptions{options.device, options.validation, options.for_window})) {
-    std::vector<HeightView> views;
-    for (const HeightMap* map : maps) views.push_back(view_of(*map));
+          vulkan::ContextOptions{options.device, options.validation, options.for_window})),
+      path_(options.path) {
     RenderSettings settings;
     settings.width = options.width > 0 ? options.width : scene.image.width;
     settings.height = options.height > 0 ? options.height : scene.image.height;
     settings.method = scene.method.name;
     settings.parameters = scene.method.parameters;
     settings.path = options.path;
-    renderer_ = std::make_unique<Renderer>(*context_, scene, views, settings);
+    renderer_ = std::make_unique<Renderer>(*context_, scene, views_of(maps), settings);
 }
 
 SessionView::~SessionView() = default;
+
+Renderer& SessionView::compare_with(const Scene& scene, std::span<const HeightMap* const> maps,
+                                    const MethodChoice& method) {
+    if (second_) {
+        second_->set_method(method.name, method.parameters);
+        return *second_;
+    }
+    RenderSettings settings;
+    settings.width = renderer_->width();
+    settings.height = renderer_->height();
+    settings.method = method.name;
+    settings.parameters = method.parameters;
+    settings.path = path_;
+    second_ = std::make_unique<Renderer>(*context_, scene, views_of(maps), settings);
+    return *second_;
+}
 
 void SessionView::upload(const HeightMap& map, std::span<const TexelRect> rects, StageTimes& times) {
     times.upload_ms = times.bounds_ms = times.refit_ms = 0;
@@ -38,23 +75,21 @@ void SessionView::upload(const HeightMap& map, std::span<const TexelRect> rects,
     times.upload_ms = stats.copy_ms;
     times.bounds_ms = stats.bounds_ms;
     times.refit_ms = stats.refit_ms;
+    if (!second_) return;
+    const UploadStats more = second_->upload(0, view_of(map), regions);
+    times.upload_ms += more.copy_ms;
+    times.bounds_ms += more.bounds_ms;
+    times.refit_ms += more.refit_ms;
 }
 
 void SessionView::follow(SettingScope scope, const Scene& scene) {
-    const SceneObject& object = scene.objects.front();
-    switch (scope) {
-        case SettingScope::camera:
-            return renderer_->set_camera(scene.camera);
-        case SettingScope::lights:
-            return renderer_->set_lights(scene.lights, scene.environment);
-        case SettingScope::material:
-            return renderer_->set_material(0, object.material);
-        case SettingScope::displacement:
-            return renderer_->set_displacement(0, object.displacement.amplitude,
-                                               object.displacement.midlevel);
-        case SettingScope::method:
-            return renderer_->set_method(scene.method.name, scene.method.parameters);
-    }
+    follow_with(*renderer_, scope, scene);
+    if (second_ && scope != SettingScope::method) follow_with(*second_, scope, scene);
+}
+
+void SessionView::restart() {
+    renderer_->restart();
+    if (second_) second_->restart();
 }
 
 void SessionView::trace(const PixelRect& window, StageTimes& times) {

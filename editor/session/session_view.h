@@ -1,4 +1,5 @@
-// The session's renderer: follows the map and the settings, and times each stage.
+// The session's renderer, and a second one to compare with: they follow the map and the settings; stages are
+// timed.
 #pragma once
 
 #include <memory>
@@ -19,16 +20,22 @@ class SessionView {
     ~SessionView();
 
     Renderer& renderer() { return *renderer_; }
+    // The second renderer, made or told its method.
+    Renderer& compare_with(const Scene& scene, std::span<const HeightMap* const> maps,
+                           const MethodChoice& method);
+    void stop_comparing() { second_.reset(); }
     vulkan::Context& context() { return *context_; }
 
-    // Texels of objects[0] that changed. Fills upload_ms, bounds_ms and refit_ms.
+    // Texels of objects[0] that changed. Fills upload_ms, bounds_ms and refit_ms, of both renderers together.
     void upload(const HeightMap& map, std::span<const TexelRect> rects, StageTimes& times);
     void follow(SettingScope scope, const Scene& scene);
+    void restart();
     void trace(const PixelRect& window, StageTimes& times);
 
   private:
     std::unique_ptr<vulkan::Context> context_;
-    std::unique_ptr<Renderer> renderer_;
+    TracePath path_;
+    std::unique_ptr<Renderer> renderer_, second_;
 };
 
 }  // namespace relievo

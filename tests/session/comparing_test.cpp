@@ -1,0 +1,99 @@
+// Two renderers over one session, and the report of a ray; on a device.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "editor/session/ray_report.h"
+#include "renderer/methods/registry.h"
+#include "renderer/vulkan/context.h"
+#include "tests/session/test_scene.h"
+
+namespace relievo {
+namespace {
+
+class Comparing : public testing::Test {
+  protected:
+    void SetUp() override {
+        for (const vulkan::DeviceInfo& device : vulkan::list_devices())
+            if (device.usable) return;
+        GTEST_SKIP() << "no Vulkan device with ray tracing";
+    }
+    void TearDown() override { EXPECT_EQ(vulkan::Context::validation_messages(), 0); }
+
+    static SessionOptions on_device() {
+        SessionOptions options;
+        options.validation = true;
+        options.width = 96;
+        options.height = 72;
+        return options;
+    }
+
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(Comparing, TheSecondRendererFollowsEveryCommandButTheMethods) {
+    Session session(test::write_scene(folder_.path()), on_device());
+    const std::string first = methods()[0]->name.data(), second = methods()[1]->name.data();
+    session.set("method", first);
+    Renderer& other = session.compare_with({second, {}});
+    session.brush().strength = 1;
+    test::sculpt(session, 4, 20);
+    session.set("amplitude", 0.3);
+    Camera camera = session.scene().camera;
+    camera.eye.x += 0.2;
+    session.set_camera(camera);
+    const auto depth = other.read_back(Layer::depth), of_first = session.renderer().read_back(Layer::depth);
+    EXPECT_NE(depth, of_first);
+    session.set("method", second);
+    EXPECT_EQ(session.renderer().read_back(Layer::depth), depth);
+    session.compare_with({first, {}});
+    EXPECT_EQ(other.read_back(Layer::depth), of_first);
+    session.stop_comparing();
+    test::sculpt(session, 2);
+}
+
+TEST_F(Comparing, MapsOfObjectsThatAreNotEditedAreThereForAnotherMethod) {
+    test::write_scene(folder_.path());
+    test::write_text(folder_.path() / "two.json", R"({"relievo": 1, "objects": [
+ {"mesh": "sheet.obj", "displacement": {"map": "map.tif", "amplitude": 0.2}},
+ {"mesh": "sheet.obj", "displacement": {"map": "map.tif", "amplitude": -0.4}, "transform": {"translate": [0, 0, -1]}}]})");
+    Session session(folder_.path() / "two.json", on_device());
+    EXPECT_EQ(session.map_of(1).hash(), session.map_of(0).hash());
+    for (const Method* method : methods()) {
+        session.set("method", std::string(method->name));
+        session.compare_with({std::string(method->name), {}});
+        EXPECT_FALSE(session.renderer().read_back(Layer::depth).empty());
+    }
+}
+
+TEST_F(Comparing, ARaysReportEndsWhereThePixelShows) {
+    Session session(test::write_scene(folder_.path()), on_device());
+    const Scene& scene = session.scene();
+    for (const Method* method : methods()) {
+        session.set("method", std::string(method->name));
+        const auto depth = session.renderer().read_back(Layer::depth);
+        const RayReport report = report_ray(session.renderer(), std::string(method->name), {48, 36});
+        ASSERT_TRUE(report.hit) << method->name;
+        EXPECT_FLOAT_EQ(static_cast<float>(report.distance), depth[36 * 96 + 48]);
+        ASSERT_TRUE(report.hit_visit);
+        const RayReport::Visit& visit = report.visits[*report.hit_visit];
+        EXPECT_GT(visit.steps + visit.cells, 0u);
+        const std::string text = full_text(report, std::nullopt, scene);
+        EXPECT_NE(text.find("triangle " + std::to_string(visit.face)), std::string::npos) << text;
+        EXPECT_NE(text.find("by method " + std::string(method->name)), std::string::npos) << text;
+
+        ReferenceVerdict verdict;
+        verdict.hit = ReferenceHit{};
+        verdict.hit->t = report.distance + 0.02;
+        const std::string beside = describe(report, verdict, scene).back();
+        EXPECT_NE(beside.find("depth error 0.1 of the amplitude"), std::string::npos) << beside;
+
+        const RayReport corner = report_ray(session.renderer(), std::string(method->name), {0, 0});
+        EXPECT_FALSE(corner.hit);
+        EXPECT_EQ(summary(corner, scene).back(), "hits nothing");
+        EXPECT_EQ(describe(corner, verdict, scene).back(), "the method misses it");
+    }
+}
+
+}  // namespace
+}  // namespace relievo
