@@ -10,6 +10,7 @@
 
 #include "editor/gui/keys.h"
 #include "editor/gui/panels.h"
+#include "editor/gui/picture_overlay.h"
 #include "editor/session/image_file.h"
 
 namespace relievo::gui {
@@ -33,8 +34,9 @@ double ms_since(Clock::time_point start) {
 App::App(Window& window, Screen& screen, Session& session, const std::string& message)
     : window_(&window),
       screen_(&screen),
-      live_(session, screen.format()),
-      desk_(session, live_, toasts_),
+      reference_(session, [] { glfwPostEmptyEvent(); }),
+      live_(session, reference_, screen.format()),
+      desk_(session, live_, reference_, toasts_),
       pointer_(desk_) {
     if (!message.empty()) toasts_.error(message);
     for (const std::string& warning : session.scene().warnings) toasts_.info(warning);
@@ -60,6 +62,8 @@ Departure App::run() {
         // While the picture only refines, the device's time is the tracer's.
         if (frames_due_ > 0 || live_.take_changed() || ms_since(last_drawn_) > kUnhurriedMs) draw();
         update_title();
+        if (const std::string trouble = reference_.take_trouble(); !trouble.empty())
+            toasts_.error("The reference: " + trouble);
         if (const std::string trouble = desk_.session.journal_error(); trouble != journal_trouble_) {
             journal_trouble_ = trouble;
             if (!trouble.empty()) toasts_.error(trouble);
@@ -75,7 +79,7 @@ void App::draw() {
     const bool dialog_open = !picture_free();
     draw_interface();
     closing_frames_ = dialog_open && picture_free() ? kClosingFrames : std::max(0, closing_frames_ - 1);
-    screen_->end(&live_.picture(), layout_.picture.x, layout_.picture.y);
+    screen_->end(live_.strips(), layout_.picture.x, layout_.picture.y);
     if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
 }
 
@@ -97,6 +101,11 @@ bool App::picture_free() const {
     return !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
+// The panel that lists a ray keeps its place to itself, too.
+bool App::picture_free_at(double x, double y) const {
+    return picture_free() && !desk_.why.holds(x, y);
+}
+
 void App::handle_input() {
     const auto start = Clock::now();
     auto& events = window_->events();
@@ -107,7 +116,7 @@ void App::handle_input() {
             handle_key(event);
             continue;
         }
-        pointer_.on_event(event, layout_.picture, picture_free());
+        pointer_.on_event(event, layout_.picture, picture_free_at(event.x, event.y));
         x_ = event.x;
         y_ = event.y;
         pointer_stale_ = true;
@@ -126,9 +135,10 @@ void App::handle_key(const InputEvent& event) {
 }
 
 void App::follow_pointer() {
-    const bool over = layout_.picture.holds(x_, y_) && picture_free();
+    const bool over = layout_.picture.holds(x_, y_) && picture_free_at(x_, y_);
     const bool camera_moves = pointer_.dragging() && !pointer_.in_stroke();
-    if (!over || camera_moves) {
+    const bool not_sculpting = desk_.view.asking || on_divider(desk_, x_ - layout_.picture.x);
+    if (!over || camera_moves || (not_sculpting && !pointer_.in_stroke())) {
         desk_.cursor.hide();
         pointer_stale_ = false;
         return;
@@ -142,19 +152,35 @@ void App::follow_pointer() {
 void App::draw_interface() {
     layout_ = make_layout(screen_->size(), desk_.view.interface_hidden, desk_.view.side_width);
     live_.resize({layout_.picture.width, layout_.picture.height});
-    desk_.cursor.draw(*ImGui::GetBackgroundDrawList(), desk_.session, live_.size(), layout_.picture.x,
-                      layout_.picture.y, pointer_.in_stroke());
+    draw_over_picture();
     if (!desk_.view.interface_hidden) {
         draw_top_bar(desk_, layout_.top);
         draw_tool_column(desk_, layout_.tools);
         draw_side_panel(desk_, layout_.side);
         draw_status_bar(desk_, layout_.status);
     }
+    desk_.why.draw(desk_.session, reference_, layout_.picture);
     dialogs_.draw(desk_);
     const float margin = 14;
     toasts_.draw(static_cast<float>(layout_.picture.x) + margin,
                  static_cast<float>(layout_.picture.y + layout_.picture.height) - margin,
                  static_cast<float>(layout_.picture.width) * 0.6f);
+}
+
+void App::draw_over_picture() {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const Box& picture = layout_.picture;
+    const bool over = picture.holds(x_, y_) && picture_free_at(x_, y_);
+    const double x = x_ - picture.x, y = y_ - picture.y;
+    if (live_.view() == View::prisms)
+        desk_.prisms.draw(list, desk_.session, picture,
+                          over ? std::optional(glm::dvec2(x, y)) : std::nullopt);
+    desk_.cursor.draw(list, desk_.session, live_.size(), picture.x, picture.y, pointer_.in_stroke());
+    desk_.why.draw_mark(list, desk_.session, picture);
+    const bool divider = pointer_.drags_divider() || (over && !pointer_.dragging() && on_divider(desk_, x));
+    draw_picture_overlay(desk_, picture, divider);
+    if (divider) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (over && !divider && desk_.view.asking) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
 void App::update_title() {

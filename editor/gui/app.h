@@ -28,6 +28,8 @@ class App {
     void handle_input();
     void handle_key(const InputEvent& event);
     bool picture_free() const;
+    bool picture_free_at(double x, double y) const;
+    void draw_over_picture();
     void follow_pointer();
     void draw_interface();
     void update_title();
@@ -36,6 +38,7 @@ class App {
     Window* window_;
     Screen* screen_;
     Toasts toasts_;
+    LiveReference reference_;
     LivePicture live_;
     Desk desk_;
     PointerControl pointer_;

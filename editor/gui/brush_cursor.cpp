@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "editor/gui/map_value.h"
 #include "editor/gui/theme.h"
 #include "editor/session/view_window.h"
 
@@ -75,7 +76,7 @@ glm::vec3 displacing_normal(const Mesh& mesh, const PickHit& hit) {
     return length > 0 ? n / length : hit.normal;  // opposite normals cancel on a folded mesh
 }
 
-// The map's value at a point of the base mesh, bilinear between texel centres, in counts.
+// The map's value at a point of the base mesh, in counts.
 double counts_at(const Session& session, const PickHit& hit) {
     const SceneObject& object = session.scene().objects.front();
     const HeightMap& map = session.map();
@@ -83,19 +84,7 @@ double counts_at(const Session& session, const PickHit& hit) {
     const glm::dvec2 uv = glm::dvec2(object.mesh.uvs[face.uv[0]]) * (1.0 - hit.b1 - hit.b2) +
                           glm::dvec2(object.mesh.uvs[face.uv[1]]) * static_cast<double>(hit.b1) +
                           glm::dvec2(object.mesh.uvs[face.uv[2]]) * static_cast<double>(hit.b2);
-    const auto texel = [&](double x, double y) {
-        const auto wrapped = [&](double t, int size) {
-            const double s = size;
-            const double inside = object.displacement.wrap == Wrap::repeat ? t - s * std::floor(t / s)
-                                                                           : std::clamp(t, 0.0, s - 1);
-            return std::clamp(static_cast<int>(inside), 0, size - 1);
-        };
-        return static_cast<double>(map.at(wrapped(x, map.width()), wrapped(y, map.height())));
-    };
-    const double x = uv.x * map.width() - 0.5, y = uv.y * map.height() - 0.5;
-    const double x0 = std::floor(x), y0 = std::floor(y), fx = x - x0, fy = y - y0;
-    return (texel(x0, y0) * (1 - fx) + texel(x0 + 1, y0) * fx) * (1 - fy) +
-           (texel(x0, y0 + 1) * (1 - fx) + texel(x0 + 1, y0 + 1) * fx) * fy;
+    return map_value(map, object.displacement.wrap, uv);
 }
 
 }  // namespace
@@ -111,7 +100,7 @@ void BrushCursor::follow(Session& session, const LivePicture& live, double x, do
     ring_ = ring_around(renderer, hit, normal_, session.brush().radius);
     const Displacement& d = session.scene().objects.front().displacement;
     spot_.counts = counts_at(session, hit);
-    spot_.height = d.amplitude * (spot_.counts / 65535 - d.midlevel);
+    spot_.height = displacement_of(d, spot_.counts);
 }
 
 void BrushCursor::resize(Session& session) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <exception>
 
+#include "renderer/methods/registry.h"
+
 namespace relievo::gui {
 namespace {
 
@@ -82,6 +84,26 @@ void Desk::scale_radius(double factor) {
 
 void Desk::choose_tool(std::size_t index) {
     if (index < tools().size()) session.brush().tool = tools()[index].tool;
+}
+
+void Desk::set_view(View wanted) {
+    attempt([&] { live.set_view(wanted); });
+}
+
+void Desk::split(bool wanted) {
+    if (!wanted) {
+        attempt([&] { live.compare_with(std::nullopt); });
+        return;
+    }
+    const std::string_view first = find_method(session.scene().method.name).name;
+    if (view.second.name.empty())
+        for (const Method* method : methods())
+            if (method->name != first && view.second.name.empty()) view.second.name = method->name;
+    set_second(view.second);
+}
+
+void Desk::set_second(const MethodChoice& method) {
+    if (attempt([&] { live.compare_with(method); })) view.second = method;
 }
 
 }  // namespace relievo::gui

@@ -9,6 +9,8 @@
 
 #include "editor/gui/brush_cursor.h"
 #include "editor/gui/live_picture.h"
+#include "editor/gui/prism_overlay.h"
+#include "editor/gui/ray_panel.h"
 #include "editor/gui/toasts.h"
 #include "editor/session/recovery.h"
 #include "editor/session/session.h"
@@ -35,18 +37,23 @@ struct ViewState {
     Dialog wanted = Dialog::none;
     BrushDrag brush_drag = BrushDrag::none;
     bool screenshot_wanted = false;
+    MethodChoice second{};  // of the right part while the picture is split, and the next time
+    bool asking = false;    // a click asks what happened to the pixel's ray, and does not sculpt
 };
 
 class Desk {
   public:
-    Desk(Session& open_session, LivePicture& live_picture, Toasts& messages)
-        : session(open_session), live(live_picture), toasts(messages) {}
+    Desk(Session& open_session, LivePicture& live_picture, LiveReference& live_reference, Toasts& messages)
+        : session(open_session), live(live_picture), reference(live_reference), toasts(messages) {}
 
     Session& session;
     LivePicture& live;
+    LiveReference& reference;
     Toasts& toasts;
     BrushCursor cursor;
     ViewState view;
+    PrismOverlay prisms;
+    RayPanel why;
     std::vector<AbandonedJournal> abandoned;  // offered for recovery
     std::optional<Departure> pending;         // waits for the answer about unsaved work
     std::optional<Departure> departure;       // decided
@@ -60,6 +67,9 @@ class Desk {
     void leave(const Departure& departure);  // asks first when work is unsaved
     void scale_radius(double factor);
     void choose_tool(std::size_t index);  // into tools(); beyond them, nothing happens
+    void set_view(View view);
+    void split(bool wanted);  // the right part of the picture by the second method
+    void set_second(const MethodChoice& method);
 
     // The edited mesh's bounding-sphere radius: what brush sizes are measured by.
     float mesh_radius() const { return session.scene().objects.front().mesh.sphere_radius; }

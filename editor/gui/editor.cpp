@@ -33,7 +33,7 @@ std::optional<std::filesystem::path> ask_for_scene(gui::Window& window, const Se
         window.events().clear();
         if (!screen.begin()) continue;
         chosen = files.draw();
-        screen.end(nullptr, 0, 0);
+        screen.end({}, 0, 0);
     }
     return chosen;
 }

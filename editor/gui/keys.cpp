@@ -27,6 +27,9 @@ constexpr std::array kHelp{
     KeyHelp{"Alt + right, Ctrl + middle, wheel", "zoom"},
     KeyHelp{"A", "show all"},
     KeyHelp{"Numpad 1, 3, 7", "from the front, the right, above; again: opposite"},
+    KeyHelp{"V, Shift + V", "next view, the one before: normals, height, steps, error, prisms"},
+    KeyHelp{"C", "two methods side by side"},
+    KeyHelp{"F2", "why this pixel: a click lists what its ray met; Esc ends it"},
     KeyHelp{"Tab", "hide and show the interface"},
     KeyHelp{"File", ""},
     KeyHelp{"Ctrl + S, Ctrl + Shift + S", "save the map, save as"},
@@ -90,6 +93,13 @@ void on_key(Desk& desk, const InputEvent& event, PixelSize picture) {
             return look(desk, Axis::right);
         case GLFW_KEY_KP_7:
             return look(desk, Axis::top);
+        case GLFW_KEY_V:
+            return desk.set_view(next_view(desk.live.view(), shift ? -1 : 1));
+        case GLFW_KEY_C:
+            return desk.split(!desk.live.is_split());
+        case GLFW_KEY_F2:
+            desk.view.asking = !desk.view.asking;
+            return;
         case GLFW_KEY_TAB:
             desk.view.interface_hidden = !desk.view.interface_hidden;
             return;

@@ -1,84 +1,87 @@
-// What is traced next, in slices short enough for the interface to stay responsive:
-// - while a stroke runs, the window of 256 x 256 pixels around the brush, then whatever else it left stale;
-// - while the camera or a slider moves, the whole picture at a size that keeps up;
-// - else the stale parts in preview quality, and then one sample a pixel after another up to a bound.
+// The picture of the session in the window: one pane, or two side by side that compare methods, in one view.
 #pragma once
 
-#include <chrono>
-#include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include "editor/gui/picture.h"
-#include "editor/session/session.h"
+#include "editor/gui/live_pane.h"
+#include "editor/session/live_reference.h"
 
 namespace relievo::gui {
 
 class LivePicture {
   public:
-    LivePicture(Session& session, VkFormat format);  // format: the screen's
+    // `reference` outlives the picture. `format`: the screen's.
+    LivePicture(Session& session, LiveReference& reference, VkFormat format);
 
-    const Picture& picture() const { return picture_; }
-    PixelSize size() const { return picture_.size(); }
+    PixelSize size() const { return panes_.front()->picture().size(); }
+    std::vector<PictureStrip> strips() const;
 
     // Pixels on screen; at most one of every `reduction` pixels each way is traced.
     void resize(PixelSize size);
     void set_reduction(int reduction);
-    int reduction() const { return reduction_; }
+    int reduction() const { return choice_.reduction; }
+    void set_sample_limit(int limit) { choice_.sample_limit = limit; }
+    int sample_limit() const { return choice_.sample_limit; }
 
-    // From pixels on screen, relative to the picture's corner, to those of the renderer's present image.
+    View view() const { return choice_.palette.view; }
+    void set_view(View view);
+    RayCount count() const { return choice_.count; }
+    void set_count(RayCount count);  // of the view `steps`
+    const ColourScale& scale() const { return choice_.palette.scale; }
+
+    // The right part of the picture is traced by `method`; std::nullopt: one pane. Throws as Renderer does.
+    void compare_with(const std::optional<MethodChoice>& method);
+    bool is_split() const { return panes_.size() > 1; }
+    double divider() const { return divider_; }  // share of the width that the left pane has
+    void set_divider(double share);
+    int divider_px() const;
+    Renderer& renderer_at(double x);  // x: pixels on screen
+
+    // From pixels on screen, relative to the picture's corner, to those of the session's renderer.
     double to_renderer_x(double x) const;
     double to_renderer_y(double y) const;
 
-    void in_motion();               // camera or settings change continuously: show something now
-    void restart();                 // all is stale, keep what is shown until it is replaced
-    void begin_stroke();            // full size from now on
-    void after_dab();               // session.last_dab() changed the surface
-    void end_stroke(bool changed);  // false: it left the surface as it was
+    void in_motion();  // the rest as in live_pane.h
+    void restart();
+    void begin_stroke();
+    void after_dab();
+    void end_stroke(bool changed);
 
-    // Traces what is most wanted, at least one slice, then more until `budget_ms` have passed.
+    // Traces what is most wanted, at least one slice a pane, then more until `budget_ms` have passed; and
+    // shows what the reference has found.
     void work(double budget_ms);
-    bool idle() const;  // nothing is left to trace
+    bool idle() const;
+    bool take_changed();
 
-    bool take_changed();  // something new is to be seen since the last call
-
-    int samples() const;
-    double progress() const;  // of the preview and the first sample together, [0, 1]
-    int sample_limit() const { return sample_limit_; }
-    void set_sample_limit(int limit);
-    double trace_ms() const {
-        return trace_ms_;
-    }  // of the last whole-image pass, live window or moving frame
+    int samples() const;      // of the pane that has least
+    double progress() const;  // likewise
+    double trace_ms() const { return panes_.front()->trace_ms(); }
+    double pass_ms(std::size_t pane) const { return panes_[pane]->pass_ms(); }
+    // Of the view `error`.
+    double reference_progress() const { return reference_->progress(); }
+    const ErrorSummary& errors(std::size_t pane) const { return errors_[pane]; }
 
   private:
-    enum class Phase { moving, stale, sampling };
     using Clock = std::chrono::steady_clock;
-
-    Renderer& renderer() { return session_->renderer(); }
-    PixelSize full_size() const;
-    void set_renderer_size(PixelSize size);
-    void mark_all_stale();
-    void mark_stale(const glm::dvec2& centre_px, double radius_px);
-    void clear_stale(const PixelRect& traced);
-    void trace_moving();
-    void trace_live();
-    void trace_stale();
-    void trace_sample();
-    void start_sampling();
-    void show(const PixelRect& window);
-    PixelRect slice_from(int row, double ms_per_pixel) const;
-    PixelRect next_stale() const;
+    void show_strips();
+    void follow_reference();
+    void sum_up_errors();
+    void update_scale();
+    ColourScale wanted_scale() const;
+    double most_displacement() const;
+    void repaint(int row_begin, int row_end);
 
     Session* session_;
-    Picture picture_;
-    Phase phase_ = Phase::moving;
-    Clock::time_point last_motion_{}, sampling_since_{};
-    int reduction_ = 1, sample_limit_ = 256;
-    double preview_ms_ = 1e-3, sample_ms_ = 3e-3;  // a pixel, as last measured
-    double trace_ms_ = 0, pass_ms_ = 0;
-    int next_row_ = 0;  // of the sample under way
-    bool in_stroke_ = false, live_due_ = false, changed_ = false;
-    std::vector<std::uint8_t> stale_;  // tiles of kTile x kTile pixels, row by row
-    int tiles_x_ = 0, tiles_y_ = 0, stale_count_ = 0;
+    LiveReference* reference_;
+    VkFormat format_;
+    ViewChoice choice_;
+    std::vector<std::unique_ptr<LivePane>> panes_;  // one or two
+    double divider_ = 0.5;
+    bool scale_due_ = true, scale_is_first_ = true, errors_due_ = false;
+    std::vector<ErrorSummary> errors_{2};
+    Clock::time_point summed_up_{};
 };
 
 }  // namespace relievo::gui

@@ -1,6 +1,8 @@
 // The ray-traced picture as the window shows it.
 #include "editor/gui/picture.h"
 
+#include <cstring>
+
 namespace relievo::gui {
 namespace {
 
@@ -62,30 +64,62 @@ void Picture::resize(PixelSize size) {
     });
 }
 
+// A blit and not a copy: the canvas may hold its channels in another order.
+void Picture::blit(VkCommandBuffer cmd, VkImage from, PixelSize from_size, const PixelRect& window) {
+    image_.transition(cmd, kSource, kTarget);
+    VkImageBlit region = whole_to_whole(from_size, size());
+    if (size() == from_size) {
+        region.srcOffsets[0] = region.dstOffsets[0] = {window.x0, window.y0, 0};
+        region.srcOffsets[1] = region.dstOffsets[1] = {window.x1, window.y1, 1};
+    }
+    vkCmdBlitImage(cmd, from, kSource, image_.get(), kTarget, 1, &region, VK_FILTER_LINEAR);
+    image_.transition(cmd, kTarget, kSource);
+}
+
 void Picture::copy(const Renderer& renderer, const PixelRect& window) {
     const Renderer::DisplayImage from = renderer.display_image();
     const auto source = static_cast<VkImage>(from.image);
     commands_.run([&](VkCommandBuffer cmd) {
         record_layout(cmd, source, VK_IMAGE_LAYOUT_GENERAL, kSource);
-        image_.transition(cmd, kSource, kTarget);
-        VkImageBlit blit = whole_to_whole({from.width, from.height}, size());
-        if (size() == PixelSize{from.width, from.height}) {
-            blit.srcOffsets[0] = blit.dstOffsets[0] = {window.x0, window.y0, 0};
-            blit.srcOffsets[1] = blit.dstOffsets[1] = {window.x1, window.y1, 1};
-        }
-        // A blit and not a copy: the canvas may hold its channels in another order.
-        vkCmdBlitImage(cmd, source, kSource, image_.get(), kTarget, 1, &blit, VK_FILTER_LINEAR);
-        image_.transition(cmd, kTarget, kSource);
+        blit(cmd, source, {from.width, from.height}, window);
         record_layout(cmd, source, kSource, VK_IMAGE_LAYOUT_GENERAL);
     });
 }
 
-void Picture::record_copy(VkCommandBuffer cmd, VkImage to, int x, int y) const {
+void Picture::write(const std::vector<std::uint8_t>& rgba, PixelSize from, const PixelRect& window) {
+    if (window.x0 >= window.x1 || window.y0 >= window.y1) return;
+    const bool fresh = from != PixelSize{written_.width(), written_.height()};
+    if (fresh)
+        written_ = vulkan::Image(*context_, from.width, from.height, VK_FORMAT_R8G8B8A8_UNORM,
+                                 VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+                                     VK_IMAGE_USAGE_SAMPLED_BIT);  // for the view, which Image always makes
+    const std::size_t row_bytes = static_cast<std::size_t>(from.width) * 4;
+    const std::size_t bytes = row_bytes * static_cast<std::size_t>(window.y1 - window.y0);
+    if (staging_.bytes() < bytes)
+        staging_ = vulkan::Buffer(*context_, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Access::host);
+    std::memcpy(staging_.mapped(), rgba.data() + row_bytes * static_cast<std::size_t>(window.y0), bytes);
+    VkBufferImageCopy upload{};
+    upload.bufferOffset = static_cast<VkDeviceSize>(window.x0) * 4;
+    upload.bufferRowLength = static_cast<std::uint32_t>(from.width);
+    upload.imageSubresource = kColor;
+    upload.imageOffset = {window.x0, window.y0, 0};
+    upload.imageExtent = {static_cast<std::uint32_t>(window.x1 - window.x0),
+                          static_cast<std::uint32_t>(window.y1 - window.y0), 1};
+    commands_.run([&](VkCommandBuffer cmd) {
+        written_.transition(cmd, fresh ? VK_IMAGE_LAYOUT_UNDEFINED : kSource, kTarget);
+        vkCmdCopyBufferToImage(cmd, staging_.get(), written_.get(), kTarget, 1, &upload);
+        written_.transition(cmd, kTarget, kSource);
+        blit(cmd, written_.get(), from, window);
+    });
+}
+
+void Picture::record_copy(VkCommandBuffer cmd, VkImage to, int x, int y, int x0, int x1) const {
+    if (x0 >= x1) return;
     VkImageCopy copy{};
     copy.srcSubresource = copy.dstSubresource = kColor;
-    copy.dstOffset = {x, y, 0};
-    copy.extent = {static_cast<std::uint32_t>(image_.width()), static_cast<std::uint32_t>(image_.height()),
-                   1};
+    copy.srcOffset = {x0, 0, 0};
+    copy.dstOffset = {x + x0, y, 0};
+    copy.extent = {static_cast<std::uint32_t>(x1 - x0), static_cast<std::uint32_t>(image_.height()), 1};
     vkCmdCopyImage(cmd, image_.get(), kSource, to, kTarget, 1, &copy);
 }
 

@@ -1,6 +1,9 @@
-// The ray-traced picture as the window shows it: a copy of the renderer's image, taken when and where it is
-// fit to be seen, so that the renderer may change its size or start anew meanwhile.
+// The ray-traced picture as the window shows it: a copy of the renderer's image, or of colours made from its
+// layers, taken when and where it is fit to be seen, so that the renderer may change its size or start anew
+// meanwhile.
 #pragma once
+
+#include <vector>
 
 #include "editor/gui/window.h"
 #include "renderer/renderer.h"
@@ -22,14 +25,28 @@ class Picture {
     void resize(PixelSize size);
     // Takes a window of the renderer's image; where the sizes differ, the whole image is stretched.
     void copy(const Renderer& renderer, const PixelRect& window);
-    // Records the copy to an image in layout TRANSFER_DST_OPTIMAL, with the top left corner at (x, y).
-    void record_copy(VkCommandBuffer commands, VkImage to, int x, int y) const;
+    // The same from pixels of 4 bytes, sRGB-encoded, row 0 at the top: an image of `size` of which `window`
+    // counts.
+    void write(const std::vector<std::uint8_t>& rgba, PixelSize size, const PixelRect& window);
+    // Records the copy of the columns x0 to x1 to an image in layout TRANSFER_DST_OPTIMAL, in which the
+    // picture's top left corner is at (x, y).
+    void record_copy(VkCommandBuffer commands, VkImage to, int x, int y, int x0, int x1) const;
 
   private:
+    void blit(VkCommandBuffer commands, VkImage from, PixelSize from_size, const PixelRect& window);
+
     vulkan::Context* context_;
     VkFormat format_;
     vulkan::Commands commands_;
-    vulkan::Image image_;  // in layout TRANSFER_SRC_OPTIMAL between calls
+    vulkan::Image image_;    // in layout TRANSFER_SRC_OPTIMAL between calls
+    vulkan::Image written_;  // of write(): likewise
+    vulkan::Buffer staging_;
+};
+
+// Columns of a picture that are on screen.
+struct PictureStrip {
+    const Picture* picture;
+    int x0, x1;
 };
 
 }  // namespace relievo::gui

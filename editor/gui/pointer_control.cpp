@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "editor/gui/camera_control.h"
+#include "editor/gui/picture_overlay.h"
+#include "renderer/methods/registry.h"
 
 namespace relievo::gui {
 namespace {
@@ -22,6 +24,7 @@ void PointerControl::on_event(const InputEvent& event, const Box& picture, bool 
     InputEvent local = event;
     local.x -= picture.x;
     local.y -= picture.y;
+    picture_width_ = std::max(1, picture.width);
     picture_height_ = std::max(1, picture.height);
     const bool over = picture_free && picture.holds(event.x, event.y);
     switch (event.kind) {
@@ -59,14 +62,36 @@ void PointerControl::on_press(const InputEvent& local) {
         drag_ = CameraDrag::zoom;
     } else if (local.code == GLFW_MOUSE_BUTTON_LEFT && alt) {
         drag_ = CameraDrag::orbit;
+    } else if (local.code == GLFW_MOUSE_BUTTON_LEFT && on_divider(*desk_, local.x)) {
+        divider_ = true;
+    } else if (local.code == GLFW_MOUSE_BUTTON_LEFT && desk_->view.asking) {
+        ask(local);
     } else if (local.code == GLFW_MOUSE_BUTTON_LEFT) {
         apply_camera();
         desk_->attempt([&] { stroke_.begin(local); });
     }
 }
 
+// The pixel under the pointer, of the renderer that shows it.
+void PointerControl::ask(const InputEvent& local) {
+    apply_camera();
+    LivePicture& live = desk_->live;
+    Renderer& renderer = live.renderer_at(local.x);
+    const bool second = &renderer != &desk_->session.renderer();
+    const MethodChoice& choice = second ? desk_->view.second : desk_->session.scene().method;
+    const auto pixel = [](double at, int size, int pixels) {
+        return std::clamp(static_cast<int>(at / size * pixels), 0, pixels - 1);
+    };
+    desk_->attempt([&] {
+        desk_->why.ask(renderer, desk_->reference, std::string(find_method(choice.name).name),
+                       {pixel(local.x, picture_width_, renderer.width()),
+                        pixel(local.y, picture_height_, renderer.height())});
+    });
+}
+
 void PointerControl::on_move(const InputEvent& local) {
     const double dx = local.x - last_x_, dy = local.y - last_y_;
+    if (divider_) return desk_->live.set_divider(local.x / picture_width_);
     if (stroke_.active()) {
         stroke_.move(local);
     } else if (drag_ != CameraDrag::none) {
@@ -78,6 +103,7 @@ void PointerControl::on_move(const InputEvent& local) {
 
 void PointerControl::on_release(const InputEvent& local) {
     if (stroke_.active() && local.code == GLFW_MOUSE_BUTTON_LEFT) stroke_.end(local);
+    if (local.code == GLFW_MOUSE_BUTTON_LEFT) divider_ = false;
     if (drag_ != CameraDrag::none && local.code == drag_button_) drag_ = CameraDrag::none;
 }
 
@@ -111,6 +137,7 @@ void PointerControl::drag_brush(double dx) {
 }
 
 void PointerControl::cancel() {
+    if (!stroke_.active()) desk_->view.asking = false;
     stroke_.cancel();
     if (desk_->view.brush_drag == BrushDrag::none) return;
     if (brush_before_) desk_->session.brush() = *brush_before_;

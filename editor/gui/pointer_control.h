@@ -1,5 +1,5 @@
-// What the pointer does over the picture: strokes, camera drags, brush drags. It decides at the press, and
-// keeps to it until the release.
+// What the pointer does over the picture: strokes, camera drags, brush drags, the divider, questions. It
+// decides at the press, and keeps to it until the release.
 #pragma once
 
 #include "editor/gui/desk.h"
@@ -18,12 +18,14 @@ class PointerControl {
     void cancel();  // Esc: the stroke, or the brush drag
 
     bool in_stroke() const { return stroke_.active(); }
-    bool dragging() const { return stroke_.active() || drag_ != CameraDrag::none; }
+    bool dragging() const { return stroke_.active() || divider_ || drag_ != CameraDrag::none; }
+    bool drags_divider() const { return divider_; }
     // The camera's movements since the last call, as one command.
     void apply_camera();
 
   private:
     enum class CameraDrag { none, orbit, pan, zoom };
+    void ask(const InputEvent& local);
     void on_press(const InputEvent& local);
     void on_move(const InputEvent& local);
     void on_release(const InputEvent& local);
@@ -35,10 +37,11 @@ class PointerControl {
     StrokeControl stroke_;
     CameraDrag drag_ = CameraDrag::none;
     int drag_button_ = 0;
+    bool divider_ = false;               // dragged
     std::optional<Camera> camera_;       // moved, not yet given to the session
     std::optional<Brush> brush_before_;  // of a brush drag
     double last_x_ = 0, last_y_ = 0;
-    int picture_height_ = 1;
+    int picture_width_ = 1, picture_height_ = 1;
 };
 
 }  // namespace relievo::gui

@@ -1,4 +1,4 @@
-// Sections of the side panel about how the surface is traced and lit.
+// Sections of the side panel about how the surface is lit, and how far the picture is refined.
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,7 +11,6 @@
 #include "editor/gui/panels.h"
 #include "editor/gui/widgets.h"
 #include "renderer/features.h"
-#include "renderer/methods/registry.h"
 #include "renderer/vulkan/context.h"
 
 namespace relievo::gui {
@@ -19,11 +18,6 @@ namespace {
 
 std::vector<double> three(const float (&v)[3]) {
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
-std::string readable(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
 }
 
 // The sun's place in the sky, as seen from the camera's up vector: degrees.
@@ -88,31 +82,6 @@ void light_rows(Desk& desk, std::size_t index) {
 
 }  // namespace
 
-void draw_method_section(Desk& desk) {
-    if (!section("Method")) return;
-    const MethodChoice choice = desk.session.scene().method;
-    const Method& method = choice.name.empty() ? *methods().front() : find_method(choice.name);
-    row_label("Name");
-    method_combo(desk);
-    const auto values = resolve_parameters(method, choice.parameters);
-    for (const MethodParameter& parameter : method.parameters) {
-        const std::string name(parameter.name), key = "method." + name, label = readable(name);
-        if (parameter.is_switch) {
-            bool on = values.at(name) != 0;
-            if (switch_row(label, on, parameter.tooltip)) desk.set(key, on ? 1.0 : 0.0);
-            continue;
-        }
-        auto value = static_cast<float>(values.at(name));
-        const bool decades = parameter.low > 0 && parameter.high / parameter.low > 50;
-        const Range range{static_cast<float>(parameter.low), static_cast<float>(parameter.high), decades,
-                          decades ? "%.5f" : "%.3f"};
-        if (slider_row(label, value, range, parameter.tooltip, parameter.unit))
-            desk.set(key, std::clamp(static_cast<double>(value), parameter.low, parameter.high));
-    }
-    text_row("Limits", method.limits.substr(0, method.limits.find(": ")));
-    tooltip(std::string(method.limits) + "\n\n" + std::string(method.paper), method.title);
-}
-
 void draw_lights_section(Desk& desk) {
     if (!section("Lights and material")) return;
     const std::size_t lights = desk.session.scene().lights.size();
@@ -157,8 +126,11 @@ void draw_render_section(Desk& desk) {
     text_row("Device", device.name);
     tooltip(device.verdict, device.driver);
     const FeatureReport& report = desk.session.renderer().features();
+    std::uint64_t bytes = report.bytes_total;
+    if (live.is_split()) bytes += live.renderer_at(live.size().width).features().bytes_total;
     char memory[64];
-    std::snprintf(memory, sizeof memory, "%.1f MiB", static_cast<double>(report.bytes_total) / (1 << 20));
+    std::snprintf(memory, sizeof memory, "%.1f MiB%s", static_cast<double>(bytes) / (1 << 20),
+                  live.is_split() ? ", both" : "");
     text_row("Memory", memory);
     std::string parts;
     for (const Feature& feature : report.features)

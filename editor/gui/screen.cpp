@@ -119,19 +119,17 @@ bool Screen::begin() {
     return true;
 }
 
-void Screen::end(const Picture* picture, int x, int y) {
+void Screen::end(std::span<const PictureStrip> strips, int x, int y) {
     ImGui::Render();
     begin_commands(commands_);
     canvas_.record(
         commands_,
         [&](VkCommandBuffer cmd) {
-            const bool fits = picture && x + picture->size().width <= size().width &&
-                              y + picture->size().height <= size().height;  // not in a tiny window
-            if (fits) {
-                picture->record_copy(cmd, canvas_.image(), x, y);
-            } else {
-                canvas_.record_clear(cmd);
-            }
+            const bool fits = !strips.empty() && x + strips.front().picture->size().width <= size().width &&
+                              y + strips.front().picture->size().height <= size().height;
+            if (!fits) canvas_.record_clear(cmd);  // in a tiny window
+            for (const PictureStrip& strip : strips)
+                if (fits) strip.picture->record_copy(cmd, canvas_.image(), x, y, strip.x0, strip.x1);
         },
         [](VkCommandBuffer cmd) { ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), cmd); });
     show();

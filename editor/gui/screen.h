@@ -1,6 +1,8 @@
 // Dear ImGui over Vulkan in one window: draws the interface above the ray-traced picture and shows both.
 #pragma once
 
+#include <span>
+
 #include "editor/gui/canvas.h"
 #include "editor/gui/picture.h"
 #include "editor/gui/swapchain.h"
@@ -18,9 +20,9 @@ class Screen {
     // Interface code goes between begin and end. begin() is false while the window has no area: draw nothing
     // then and do not call end().
     bool begin();
-    // Shows `picture` with its corner at (x, y), and the interface, which covers the rest; or the interface
-    // alone.
-    void end(const Picture* picture, int x, int y);
+    // Shows the strips of pictures of one size, their corner at (x, y), and the interface, which covers the
+    // rest; without strips the interface alone.
+    void end(std::span<const PictureStrip> strips, int x, int y);
 
     PixelSize size() const { return canvas_.size(); }
     VkFormat format() const { return canvas_.format(); }

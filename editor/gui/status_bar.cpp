@@ -32,6 +32,7 @@ std::string tool_hint(const Desk& desk) {
             break;
     }
     if (desk.session.in_stroke()) return "Esc cancels the stroke";
+    if (desk.view.asking) return "Click a pixel to list what its ray met; Esc ends it";
     if (desk.session.brush().tool == Tool::draw)
         return desk.session.brush().invert ? "Drag to lower; Ctrl raises, Shift smooths"
                                            : "Drag to raise; Ctrl lowers, Shift smooths";
@@ -66,6 +67,14 @@ void draw_right(const Box& box, std::initializer_list<Item> items) {
 }
 
 Item progress_item(const Desk& desk) {
+    if (desk.live.view() == View::error && desk.live.progress() >= 1) {
+        const double known = desk.live.reference_progress();
+        if (known >= 1) return {"reference complete", "The error of every pixel is known."};
+        return {formatted("reference %.0f%%", 100 * known),
+                "Traced in double precision on the processor, beside your work; a change starts it anew."};
+    }
+    if (shows_layers(desk.live.view()))
+        return {formatted("view %.0f%%", 100 * desk.live.progress()), "Camera rays traced of this view."};
     if (desk.live.samples() == 0)
         return {formatted("preview %.0f%%", 100 * desk.live.progress()), "Free of noise; samples follow."};
     return {formatted("%d / %d samples", desk.live.samples(), desk.live.sample_limit()),

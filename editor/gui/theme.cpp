@@ -70,6 +70,10 @@ void set_colours(ImVec4* c) {
     c[ImGuiCol_FrameBgActive] = grey(0.15f);
     c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = grey(0.18f);
     c[ImGuiCol_ScrollbarBg] = grey(0, 0);
+    c[ImGuiCol_ResizeGrip] = grey(0.26f);
+    c[ImGuiCol_ResizeGripHovered] = tint(0.6f);
+    c[ImGuiCol_ResizeGripActive] = accent;
+    c[ImGuiCol_TableHeaderBg] = grey(0.17f);
     c[ImGuiCol_ScrollbarGrab] = grey(0.26f);
     c[ImGuiCol_ScrollbarGrabHovered] = grey(0.32f);
     c[ImGuiCol_ScrollbarGrabActive] = grey(0.38f);

@@ -44,6 +44,19 @@ void file_buttons(Desk& desk) {
     divider();
 }
 
+void view_combo(Desk& desk) {
+    const ViewInfo& now = view_info(desk.live.view());
+    if (ImGui::BeginCombo("##view", std::string(now.name).c_str(), ImGuiComboFlags_HeightLarge)) {
+        for (const ViewInfo& info : views()) {
+            if (ImGui::Selectable(std::string(info.name).c_str(), info.view == now.view))
+                desk.set_view(info.view);
+            tooltip(info.tooltip, info.name);
+        }
+        ImGui::EndCombo();
+    }
+    tooltip(std::string(now.tooltip) + "\nV and Shift+V go through the views.", now.name);
+}
+
 }  // namespace
 
 void falloff_combo(Desk& desk) {
@@ -61,7 +74,7 @@ void falloff_combo(Desk& desk) {
 
 void method_combo(Desk& desk) {
     const Scene& scene = desk.session.scene();
-    const Method& now = scene.method.name.empty() ? *methods().front() : find_method(scene.method.name);
+    const Method& now = find_method(scene.method.name);
     if (ImGui::BeginCombo("##method", std::string(now.name).c_str())) {
         for (const Method* method : methods()) {
             if (ImGui::Selectable(std::string(method->name).c_str(), method == &now))
@@ -94,6 +107,9 @@ void draw_top_bar(Desk& desk, const Box& box) {
     label("Method");
     ImGui::SetNextItemWidth(points(110));
     method_combo(desk);
+    label("View");
+    ImGui::SetNextItemWidth(points(118));
+    view_combo(desk);
     const float keys = ImGui::CalcTextSize("Keys").x + points(28);
     if (ImGui::GetContentRegionAvail().x > 0) ImGui::SameLine(static_cast<float>(box.width) - keys);
     if (push_button("Keys", true, "All keys and mouse buttons  (F1)")) desk.view.wanted = Dialog::keys;

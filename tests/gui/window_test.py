@@ -187,6 +187,88 @@ def resized_and_reopened(case):
     editor.ended()
 
 
+def views_show_the_surface_each_in_its_way(case):
+    editor = case.open(case.journal)
+    case.desktop.do("mousemove", 300, 30)
+    shown = [case.desktop.settled_screen()]
+    for name in ("normals", "height", "steps", "error", "prisms"):
+        case.desktop.key("v")
+        editor.screenshot()
+        time.sleep(1.5)
+        shown.append(case.desktop.screen())
+        for number, earlier in enumerate(shown[:-1]):
+            change = difference(earlier, shown[-1], NEAR)
+            assert change > 1.5, f"{name} looks like view {number}: changed by {change}"
+    # Strokes and camera moves in every view; the journal knows strokes and cameras, and of views nothing.
+    for _ in range(6):
+        case.desktop.key("v")
+        case.stroke(case.journal)
+    case.desktop.drag(STROKE[:8], button=2)
+    case.desktop.key("V")
+    kinds = {op["op"] if op["op"] != "set" else op["key"] for op in operations(case.journal)}
+    assert kinds == {"stroke", "camera"}, kinds
+    finish_and_replay(case, editor)
+
+
+def two_methods_side_by_side_while_sculpting(case):
+    editor = case.open(case.journal)
+    case.desktop.do("mousemove", 300, 30)
+    before = case.desktop.settled_screen()
+    case.desktop.key("c")
+    editor.screenshot()
+    case.desktop.do("mousemove", 300, 30)
+    time.sleep(1)
+    assert difference(before, case.desktop.screen(), (318, 60, 326, 400)) > 3, "no line between the halves"
+    stroke = case.stroke(case.journal)  # from the left half into the right one
+    assert len(stroke["dabs"]) > 5, stroke
+    case.desktop.drag([(322, 500), (240, 500)])  # the divider, and no stroke
+    for name in ("normals", "height", "steps", "error"):
+        case.desktop.key("v")
+        editor.screenshot()
+        if name in ("height", "error"):
+            case.stroke(case.journal)
+    case.desktop.drag(STROKE[:8], button=2)
+    case.desktop.key("ctrl+z")
+    case.desktop.do("windowsize", editor.window, 700, 450)
+    editor.screenshot()
+    case.desktop.do("windowsize", editor.window, 900, 600)
+    case.desktop.key("c")
+    editor.screenshot()
+    case.desktop.key("c")
+    case.desktop.key("c")
+    assert len(strokes(case.journal)) == 3, operations(case.journal)
+    finish_and_replay(case, editor)
+
+
+def why_this_pixel_lists_its_ray(case):
+    editor = case.open(case.journal)
+    case.desktop.do("mousemove", 300, 30)
+    before = case.desktop.settled_screen()
+    case.desktop.key("F2")
+    case.desktop.do("mousemove", 150, 280)
+    case.desktop.do("click", "1")
+    editor.screenshot()
+    time.sleep(1)
+    assert difference(before, case.desktop.screen(), (400, 110, 560, 300)) > 20, "no list"
+    case.desktop.do("mousemove", 480, 250)  # over the list: neither zoom nor stroke
+    case.desktop.do("click", "5")
+    case.desktop.key("Escape")
+    case.desktop.drag([(480, 250), (500, 260)])
+    assert not operations(case.journal), operations(case.journal)
+    case.desktop.drag([(150, 280), (180, 290)])
+    wait_for("a stroke again", lambda: strokes(case.journal))
+    finish_and_replay(case, editor)
+
+
+def finish_and_replay(case, editor):
+    saved, replayed = os.path.join(case.folder, "saved.tif"), os.path.join(case.folder, "replayed.tif")
+    editor.save_as(saved)
+    case.desktop.key("ctrl+q")
+    editor.ended()
+    case.replay(case.journal, replayed)
+    case.same_bytes(saved, replayed)
+
+
 def no_scene_asks_for_one(case):
     case.desktop = Desktop(case.folder)
     case.editor = Editor(case.desktop, case.relievo, None, case.folder, case.journal)
@@ -211,7 +293,9 @@ def no_display(case):
 def main():
     cases = {function.__name__: function
              for function in (stroke_saves_and_replays, modifiers_and_cancel, crash_offers_recovery,
-                              quit_asks_for_unsaved_work, resized_and_reopened, no_scene_asks_for_one, no_display)}
+                              quit_asks_for_unsaved_work, resized_and_reopened, views_show_the_surface_each_in_its_way,
+                              two_methods_side_by_side_while_sculpting, why_this_pixel_lists_its_ray,
+                              no_scene_asks_for_one, no_display)}
     parser = argparse.ArgumentParser()
     parser.add_argument("case", choices=cases)
     parser.add_argument("--relievo", required=True, type=os.path.abspath)

@@ -1,0 +1,355 @@
+// One renderer's picture and what it traces next.
+#include "editor/gui/live_pane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+#include "editor/session/replay.h"
+#include "editor/session/view_window.h"
+
+namespace relievo::gui {
+namespace {
+
+constexpr int kTile = 64;              // pixels a side
+constexpr double kSliceMs = 25;        // aim for one call of the renderer
+constexpr double kStillAfterMs = 160;  // without a change, the motion is over
+constexpr int kCoarsest = 8;
+// The first samples are noisier than the preview that they replace: they are shown together.
+constexpr int kFirstShown = 4;
+constexpr double kShownAtLatestMs = 3000;
+constexpr std::size_t kPassesKept = 9;
+constexpr double kNotWhole = -1e18;  // pixels of a pass that has lost some of them
+
+double ms_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double pixels(const PixelRect& r) {
+    return static_cast<double>(r.x1 - r.x0) * static_cast<double>(r.y1 - r.y0);
+}
+
+bool empty(const PixelRect& r) {
+    return r.x0 >= r.x1 || r.y0 >= r.y1;
+}
+
+PixelRect common(const PixelRect& a, const PixelRect& b) {
+    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+// A moving average: single calls are noisy, and the first one of a kind may wait for a compiler.
+void learn(double& ms_per_pixel, double ms, double pixel_count) {
+    if (pixel_count > 0) ms_per_pixel += 0.3 * (std::min(ms / pixel_count, 4 * ms_per_pixel) - ms_per_pixel);
+}
+
+}  // namespace
+
+LivePane::LivePane(Session& session, Renderer& renderer, VkFormat format, const ViewChoice& choice)
+    : session_(&session), renderer_(&renderer), choice_(&choice), picture_(session.context(), format) {}
+
+PixelSize LivePane::full_size() const {
+    return {std::max(1, picture_.size().width / choice_->reduction),
+            std::max(1, picture_.size().height / choice_->reduction)};
+}
+
+void LivePane::set_renderer_size(PixelSize size) {
+    if (renderer_size() != size) {
+        renderer_->resize(size.width, size.height);
+        mark_all_stale();
+    }
+    if (shows_layers() && layers_.size() != size) {
+        layers_.reset(size, choice_->palette.view);
+        mark_all_stale();
+    }
+}
+
+void LivePane::resize(PixelSize size) {
+    if (size == picture_.size()) return;
+    picture_.resize(size);
+    set_renderer_size(full_size());
+    if (tiles_x_ == 0) mark_all_stale();  // the renderer had that size from the start
+    if (!in_stroke_) in_motion();
+}
+
+void LivePane::show_columns(int x0, int x1) {
+    shown_x0_ = x0;
+    shown_x1_ = x1;
+}
+
+// The renderer's pixels of the columns on screen.
+PixelRect LivePane::on_screen() const {
+    const double scale = static_cast<double>(renderer_->width()) / std::max(1, picture_.size().width);
+    return {static_cast<int>(std::floor(shown_x0_ * scale)), 0,
+            std::min(renderer_->width(), static_cast<int>(std::ceil(shown_x1_ * scale))),
+            renderer_->height()};
+}
+
+void LivePane::choose_view() {
+    if (shows_layers()) layers_.reset(full_size(), choice_->palette.view);
+    passes_ms_.clear();
+    restart();
+}
+
+void LivePane::in_motion() {
+    phase_ = Phase::moving;
+    passes_ms_.clear();
+    last_motion_ = Clock::now();
+}
+
+void LivePane::restart() {
+    set_renderer_size(full_size());
+    mark_all_stale();
+    phase_ = Phase::stale;
+}
+
+void LivePane::begin_stroke() {
+    set_renderer_size(full_size());
+    if (phase_ == Phase::moving) mark_all_stale();
+    in_stroke_ = true;
+    live_due_ = false;
+    phase_ = Phase::stale;
+}
+
+void LivePane::after_dab() {
+    const auto dab = session_->last_dab();
+    if (!dab) return;
+    const Scene& scene = session_->scene();
+    const auto centre =
+        project(scene.camera, scene.origin, renderer_->width(), renderer_->height(), dab->centre);
+    if (!centre) return;
+    const double depth = glm::length(glm::dvec3(dab->centre) + scene.origin - scene.camera.eye);
+    const double px_per_unit =
+        0.5 * renderer_->height() / (std::tan(glm::radians(scene.camera.fov_deg) / 2) * depth);
+    mark_stale(*centre, static_cast<double>(dab->radius) * px_per_unit);
+    live_due_ = true;
+}
+
+void LivePane::end_stroke(bool changed) {
+    in_stroke_ = false;
+    live_due_ = false;
+    if (changed) start_sampling();
+    phase_ = stale_count_ > 0 ? Phase::stale : Phase::sampling;
+}
+
+void LivePane::start_sampling() {
+    phase_ = Phase::sampling;
+    next_row_ = 0;
+    sampling_since_ = Clock::now();
+}
+
+bool LivePane::idle() const {
+    if (in_stroke_) return !live_due_ && stale_count_ == 0;
+    return phase_ == Phase::sampling && (shows_layers() || samples() >= choice_->sample_limit);
+}
+
+bool LivePane::covered() const {
+    return phase_ != Phase::moving && stale_count_ == 0 && renderer_size() == full_size();
+}
+
+bool LivePane::take_changed() {
+    return std::exchange(changed_, false);
+}
+
+int LivePane::samples() const {
+    return phase_ == Phase::sampling && !shows_layers() ? renderer_->samples() : 0;
+}
+
+double LivePane::progress() const {
+    const double tiles = std::max(1, tiles_x_ * tiles_y_), fresh = 1 - stale_count_ / tiles;
+    if (phase_ == Phase::moving) return 0;
+    if (shows_layers()) return fresh;
+    if (phase_ == Phase::stale) return 0.3 * fresh;
+    return samples() > 0 ? 1 : 0.3 + 0.7 * next_row_ / std::max(1, renderer_->height());
+}
+
+double LivePane::pass_ms() const {
+    if (passes_ms_.empty()) return 0;
+    std::vector<double> sorted = passes_ms_;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+}
+
+bool LivePane::step(double moving_ms) {
+    if (live_due_) {
+        trace_live();
+        return true;
+    }
+    if (phase_ == Phase::moving && ms_since(last_motion_) < kStillAfterMs) {
+        trace_moving(moving_ms);
+        return true;
+    }
+    if (phase_ == Phase::moving) restart();
+    if (phase_ == Phase::stale) {
+        trace_stale();
+    } else {
+        trace_sample();
+    }
+    return false;
+}
+
+// One window of what the view shows, in the quality that is there at once.
+double LivePane::trace(const PixelRect& window) {
+    double ms = 0;
+    if (shows_layers()) {
+        ms = renderer_->trace_layers(window, choice_->palette.view == View::steps);
+        layers_.collect(*renderer_, window, choice_->count, *session_);
+        layers_.paint(window, choice_->palette);
+    } else {
+        ms = renderer_->render(window, Quality::preview);
+    }
+    learn(preview_ms_, ms, pixels(window));
+    show(window);
+    return ms;
+}
+
+void LivePane::trace_moving(double moving_ms) {
+    const PixelSize full = full_size();
+    const double share = static_cast<double>(shown_x1_ - shown_x0_) / std::max(1, picture_.size().width);
+    const double wanted = static_cast<double>(full.width) * full.height * share;  // pixels
+    const double affordable = moving_ms / preview_ms_;
+    int divide = 1;
+    while (divide < kCoarsest && wanted / (divide * divide) > affordable) ++divide;
+    set_renderer_size({std::max(1, full.width / divide), std::max(1, full.height / divide)});
+    trace_ms_ = trace(on_screen());
+}
+
+void LivePane::trace_live() {
+    live_due_ = false;
+    const auto dab = session_->last_dab();
+    const Scene& scene = session_->scene();
+    const auto centre =
+        dab ? project(scene.camera, scene.origin, renderer_->width(), renderer_->height(), dab->centre)
+            : std::nullopt;
+    if (!centre) return;
+    const PixelRect window =
+        common(window_around(*centre, kLiveWindow, renderer_->width(), renderer_->height()), on_screen());
+    if (empty(window)) return;
+    trace_ms_ = trace(window);
+    clear_stale(window);
+}
+
+void LivePane::trace_stale() {
+    if (stale_count_ > 0) {
+        const PixelRect slice = next_stale();
+        pass_ms_ += trace(slice);
+        pass_pixels_ += pixels(slice);
+        clear_stale(slice);
+    }
+    if (stale_count_ > 0 || in_stroke_) return;
+    if (shows_layers()) finish_pass();
+    start_sampling();
+    if (!shows_layers()) renderer_->restart();
+    pass_ms_ = pass_pixels_ = 0;
+}
+
+void LivePane::trace_sample() {
+    const PixelRect slice = slice_from(next_row_, sample_ms_);
+    const double ms = renderer_->render(slice, Quality::full);
+    learn(sample_ms_, ms, pixels(slice));
+    if (next_row_ == 0) pass_ms_ = pass_pixels_ = 0;
+    pass_ms_ += ms;
+    pass_pixels_ += pixels(slice);
+    next_row_ = slice.y1;
+    if (next_row_ < renderer_->height()) return;
+    if (slice.y0 > 0) renderer_->end_pass();  // one slice of all rows counts itself
+    next_row_ = 0;
+    finish_pass();
+    if (samples() >= std::min(kFirstShown, choice_->sample_limit) ||
+        ms_since(sampling_since_) > kShownAtLatestMs)
+        show(whole());
+}
+
+// The time of a pass counts where the pass traced every pixel once.
+void LivePane::finish_pass() {
+    if (pass_pixels_ != pixels(whole())) return;
+    trace_ms_ = pass_ms_;
+    passes_ms_.push_back(pass_ms_);
+    if (passes_ms_.size() > kPassesKept) passes_ms_.erase(passes_ms_.begin());
+}
+
+void LivePane::show(const PixelRect& window) {
+    if (shows_layers()) {
+        picture_.write(layers_.rgba(), layers_.size(), window);
+    } else {
+        picture_.copy(*renderer_, window);
+    }
+    changed_ = true;
+}
+
+void LivePane::repaint(const PixelRect& window) {
+    if (!shows_layers()) return;
+    const PixelRect inside = common(window, {0, 0, layers_.size().width, layers_.size().height});
+    layers_.paint(inside, choice_->palette);
+    show(inside);
+}
+
+// Whole rows of pixels from `row` on, about kSliceMs worth of them.
+PixelRect LivePane::slice_from(int row, double ms_per_pixel) const {
+    const PixelSize size = renderer_size();
+    const double rows = kSliceMs / std::max(1e-9, ms_per_pixel * size.width);
+    const int taken = static_cast<int>(std::clamp(rows, 8.0, 1e6));
+    return {0, row, size.width, std::min(size.height, row + taken)};
+}
+
+// The first row of tiles that has stale ones, from its first to its last, with the rows below it while they
+// are cheap enough.
+PixelRect LivePane::next_stale() const {
+    const auto first = std::find(stale_.begin(), stale_.end(), 1);
+    const int row = static_cast<int>(first - stale_.begin()) / tiles_x_;
+    const auto row_begin = stale_.begin() + static_cast<std::ptrdiff_t>(row) * tiles_x_;
+    int x0 = static_cast<int>(first - row_begin), x1 = x0;
+    for (int x = x0; x < tiles_x_; ++x)
+        if (row_begin[x]) x1 = x + 1;
+    int rows = 1;
+    if (stale_count_ == tiles_x_ * (tiles_y_ - row)) {
+        const double row_ms = preview_ms_ * kTile * kTile * tiles_x_;
+        rows = static_cast<int>(std::clamp(kSliceMs / std::max(1e-9, row_ms), 1.0, 1e4));
+    }
+    return {x0 * kTile, row * kTile, std::min(renderer_->width(), x1 * kTile),
+            std::min(renderer_->height(), (row + rows) * kTile)};
+}
+
+void LivePane::mark_all_stale() {
+    tiles_x_ = (renderer_->width() + kTile - 1) / kTile;
+    tiles_y_ = (renderer_->height() + kTile - 1) / kTile;
+    stale_.assign(static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>(tiles_y_), 1);
+    stale_count_ = tiles_x_ * tiles_y_;
+    pass_ms_ = pass_pixels_ = 0;
+}
+
+void LivePane::mark_stale(const glm::dvec2& centre_px, double radius_px) {
+    const auto tile_of = [](double px, int count) {
+        return static_cast<int>(std::clamp(std::floor(px / kTile), 0.0, static_cast<double>(count - 1)));
+    };
+    const int x0 = tile_of(centre_px.x - radius_px, tiles_x_),
+              x1 = tile_of(centre_px.x + radius_px, tiles_x_);
+    const int y0 = tile_of(centre_px.y - radius_px, tiles_y_),
+              y1 = tile_of(centre_px.y + radius_px, tiles_y_);
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+            std::uint8_t& tile = stale_[static_cast<std::size_t>(y * tiles_x_ + x)];
+            stale_count_ += tile ? 0 : 1;
+            tile = 1;
+        }
+    }
+    pass_pixels_ = kNotWhole;
+}
+
+// Tiles that the rectangle covers whole.
+void LivePane::clear_stale(const PixelRect& traced) {
+    for (int y = 0; y < tiles_y_; ++y) {
+        for (int x = 0; x < tiles_x_; ++x) {
+            const bool covered =
+                x * kTile >= traced.x0 && std::min(renderer_->width(), (x + 1) * kTile) <= traced.x1 &&
+                y * kTile >= traced.y0 && std::min(renderer_->height(), (y + 1) * kTile) <= traced.y1;
+            std::uint8_t& tile = stale_[static_cast<std::size_t>(y * tiles_x_ + x)];
+            if (!covered || !tile) continue;
+            tile = 0;
+            --stale_count_;
+        }
+    }
+}
+
+}  // namespace relievo::gui

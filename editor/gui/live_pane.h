@@ -1,0 +1,100 @@
+// One renderer's picture and what it traces next, in slices short enough for the interface to stay
+// responsive:
+// - while a stroke runs, the window of 256 x 256 pixels around the brush, then whatever else it left stale;
+// - while the camera or a slider moves, the whole picture at a size that keeps up;
+// - else the stale parts (in preview quality where light is shown), and then, for light, one sample a pixel
+// after
+//   another up to a bound.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "editor/gui/layer_image.h"
+#include "editor/gui/picture.h"
+#include "editor/session/session.h"
+
+namespace relievo::gui {
+
+// What all panes show; LivePicture decides.
+struct ViewChoice {
+    RayCount count = RayCount::steps;
+    int reduction = 1;       // at most one of so many pixels each way is traced
+    int sample_limit = 256;  // a pixel
+    Palette palette;
+};
+
+class LivePane {
+  public:
+    // All outlive the pane. `format`: the screen's.
+    LivePane(Session& session, Renderer& renderer, VkFormat format, const ViewChoice& choice);
+
+    Renderer& renderer() { return *renderer_; }
+    const Renderer& renderer() const { return *renderer_; }
+    const Picture& picture() const { return picture_; }
+
+    void resize(PixelSize size);            // pixels on screen
+    void show_columns(int x0, int x1);      // the part that is on screen, pixels on screen
+    void choose_view();                     // the choice has changed in more than its palette
+    void in_motion();                       // camera or settings change continuously: show something now
+    void restart();                         // all is stale, keep what is shown until it is replaced
+    void begin_stroke();                    // full size from now on
+    void after_dab();                       // session.last_dab() changed the surface
+    void end_stroke(bool changed);          // false: it left the surface as it was
+    void repaint(const PixelRect& window);  // the palette, or what it refers to, has changed
+
+    // Traces the most wanted piece; true: the eye waits for it. `moving_ms`: for one frame in motion.
+    bool step(double moving_ms);
+    bool idle() const;     // nothing is left to trace
+    bool covered() const;  // the whole picture at full size is traced as it is now, if only once
+    bool take_changed();   // something new is to be seen since the last call
+
+    int samples() const;
+    double progress() const;                       // of the preview and the first sample together, [0, 1]
+    double trace_ms() const { return trace_ms_; }  // of the last whole pass, live window or moving frame
+    double pass_ms() const;                        // median over the last whole passes of a kind; 0: none yet
+    const LayerImage& layers() const { return layers_; }
+
+  private:
+    enum class Phase { moving, stale, sampling };
+    using Clock = std::chrono::steady_clock;
+
+    bool shows_layers() const { return gui::shows_layers(choice_->palette.view); }
+    PixelSize renderer_size() const { return {renderer_->width(), renderer_->height()}; }
+    PixelRect whole() const { return {0, 0, renderer_->width(), renderer_->height()}; }
+    PixelSize full_size() const;
+    void set_renderer_size(PixelSize size);
+    void mark_all_stale();
+    void mark_stale(const glm::dvec2& centre_px, double radius_px);
+    void clear_stale(const PixelRect& traced);
+    void trace_moving(double moving_ms);
+    void trace_live();
+    void trace_stale();
+    void trace_sample();
+    double trace(const PixelRect& window);
+    void start_sampling();
+    void show(const PixelRect& window);
+    void finish_pass();
+    PixelRect on_screen() const;
+    PixelRect slice_from(int row, double ms_per_pixel) const;
+    PixelRect next_stale() const;
+
+    Session* session_;
+    Renderer* renderer_;
+    const ViewChoice* choice_;
+    Picture picture_;
+    LayerImage layers_;
+    Phase phase_ = Phase::moving;
+    Clock::time_point last_motion_{}, sampling_since_{};
+    int shown_x0_ = 0, shown_x1_ = 1;
+    double preview_ms_ = 1e-3, sample_ms_ = 3e-3;  // a pixel, as last measured
+    double trace_ms_ = 0, pass_ms_ = 0, pass_pixels_ = 0;
+    std::vector<double> passes_ms_;  // the last ones
+    int next_row_ = 0;               // of the sample under way
+    bool in_stroke_ = false, live_due_ = false, changed_ = false;
+    std::vector<std::uint8_t> stale_;  // tiles of kTile x kTile pixels, row by row
+    int tiles_x_ = 0, tiles_y_ = 0, stale_count_ = 0;
+};
+
+}  // namespace relievo::gui

@@ -1,0 +1,16 @@
+// What stands over the picture but is no part of it: the names and times of its halves, the divider, the
+// colour bar of a view.
+#pragma once
+
+#include "editor/gui/desk.h"
+#include "editor/gui/layout.h"
+
+namespace relievo::gui {
+
+// `pointer_on_divider`: it is lit then.
+void draw_picture_overlay(Desk& desk, const Box& picture, bool pointer_on_divider);
+
+// Whether a press at (x, y), pixels of the picture, takes the divider.
+bool on_divider(const Desk& desk, double x);
+
+}  // namespace relievo::gui
