@@ -20,6 +20,7 @@ const Method kExact{
     GeometryKind::surface_bounds,
     true,
     kParameters,
+    16384,
 };
 
 }  // namespace relievo

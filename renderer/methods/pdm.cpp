@@ -29,6 +29,7 @@ const Method kPdm{
     GeometryKind::parallel_prisms,
     false,
     kParameters,
+    16385,
 };
 
 }  // namespace relievo

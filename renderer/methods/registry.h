@@ -2,6 +2,7 @@
 // To add a method: shaders/methods/<name>/intersect.glsl, renderer/methods/<name>.cpp, one line in methods/all.h.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
@@ -25,6 +26,7 @@ struct Method {
     GeometryKind geometry;
     bool needs_pyramid;  // min-max pyramid of the map
     std::span<const MethodParameter> parameters;  // at most 8, passed to the shader in this order
+    std::uint32_t most_steps = 0;  // that a ray takes in one triangle (Layer::counts), whatever the ray
 };
 
 std::span<const Method* const> methods();  // the first is the default

@@ -1,12 +1,12 @@
 // See sample_surfaces.h.
-#include "tests/reference/sample_surfaces.h"
+#include "renderer/stability/sample_surfaces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-namespace relievo::test {
+namespace relievo::stability {
 
 using glm::dvec2;
 using glm::dvec3;
@@ -140,4 +140,4 @@ double hash01(std::uint32_t a, std::uint32_t b, std::uint32_t seed) {
     return (h >> 8) * (1.0 / 16777216.0);
 }
 
-}  // namespace relievo::test
+}  // namespace relievo::stability

@@ -1,0 +1,30 @@
+// Meshes that are hard to displace.
+#pragma once
+
+#include "renderer/scene/mesh.h"
+
+namespace relievo::stability {
+
+// The square cut into `count` strips side by side along x, of width `width` each and of two slivers each; uv
+// = the place in the ribbon.
+Mesh ribbon_mesh(int count, double width);
+// Two triangles on an edge along y, opened by `degrees`, smooth normals, uv by place.
+Mesh wedge_mesh(double degrees);
+// A closed prism whose cross section has a tip of `degrees` at x = 0, smooth normals.
+Mesh blade_mesh(double degrees, int segments);
+// `sheets` half-planes that share one edge along z, like a book's pages.
+Mesh book_mesh(int sheets);
+// The mesh without every third face.
+Mesh with_holes(Mesh mesh);
+// Every corner has a position of its own: no edge is shared by index.
+Mesh unwelded(const Mesh& mesh);
+// With faces added that have no area: two corners at one place, three on a line.
+Mesh with_zero_area_faces(Mesh mesh);
+// All faces turned round: N.Ng is negative everywhere.
+Mesh turned_inside_out(Mesh mesh);
+// The normal of every fifth position leans to a random side.
+Mesh with_leaning_normals(Mesh mesh);
+// Every face has the whole map's lower left half for itself, mirrored every second time.
+Mesh with_overlapping_uvs(Mesh mesh);
+
+}  // namespace relievo::stability
