@@ -9,7 +9,8 @@
 namespace relievo {
 namespace {
 
-constexpr double kKept = 1e-3;  // the depth error asked for, over the unit
+constexpr double kKept = 1e-3;   // the depth error asked for, over the unit
+constexpr double kEqual = 0.99;  // an error above this part of another is no better
 
 double at(const std::vector<double>& sorted, double part) {
     const double place = part * static_cast<double>(sorted.size() - 1);
@@ -32,7 +33,7 @@ SpeedAnswer answer(const ComparedPoint& subject, const std::string& method,
         if (point.method != method) continue;
         if (!at_p999 && point.errors.depth.p999 <= kKept) at_p999 = &point;
         if (!at_p99 && point.errors.depth.p99 <= kKept) at_p99 = &point;
-        if (!best || point.errors.depth.p999 < best->errors.depth.p999) best = &point;
+        if (!best || point.errors.depth.p999 < kEqual * best->errors.depth.p999) best = &point;
     }
     return {subject.label, method, rival_of(&subject, at_p999), rival_of(&subject, at_p99),
             rival_of(&subject, best)};
@@ -82,7 +83,7 @@ std::vector<std::size_t> best_front(const std::vector<FrontPoint>& points) {
     });
     std::vector<std::size_t> front;
     for (const std::size_t i : order)
-        if (front.empty() || points[i].error < points[front.back()].error) front.push_back(i);
+        if (front.empty() || points[i].error < kEqual * points[front.back()].error) front.push_back(i);
     return front;
 }
 

@@ -20,7 +20,7 @@ double time_ratio(const RoundTimes& a, const RoundTimes& b);
 struct FrontPoint {
     double time, error;
 };
-// The indices of the points that no other beats in both, quickest first.
+// The indices of the points that no other beats in both, quickest first; errors within a hundredth are equal.
 std::vector<std::size_t> best_front(const std::vector<FrontPoint>& points);
 
 }  // namespace relievo

@@ -119,8 +119,8 @@ std::string cost_table(const Comparison& comparison, const ComparedScene& scene)
         } else {
             rows += "<td colspan=5>not timed</td>";
         }
-        rows += cell(error_text(p->cost.boxes)) + cell(error_text(p->cost.steps)) +
-                cell(error_text(p->cost.fetches)) + cell(error_text(p->cost.cells)) +
+        rows += cell(count_text(p->cost.boxes)) + cell(count_text(p->cost.steps)) +
+                cell(count_text(p->cost.fetches)) + cell(count_text(p->cost.cells)) +
                 cell(bytes_text(p->bytes)) + cell(ms_text(p->build_ms)) + cell(ms_text(p->first_frame_ms));
         rows += p->edit ? cell(ms_text(p->edit->upload)) + cell(ms_text(p->edit->first_frame_extra))
                         : "<td>-<td>-";

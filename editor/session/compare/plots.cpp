@@ -14,9 +14,11 @@ constexpr double kAsked = 1e-3;       // the error that the speed questions ask 
 constexpr double kWrongShare = 1e-3;  // of the hits: more make a point hollow
 
 double error_of(const ComparedPoint& point, PlottedError error) {
+    if (error == PlottedError::gap) return point.gap.gap.p99;
     return error == PlottedError::p99 ? point.errors.depth.p99 : point.errors.depth.p999;
 }
 const char* name_of(PlottedError error) {
+    if (error == PlottedError::gap) return "p99 gap along edges / amplitude";
     return error == PlottedError::p99 ? "p99 depth error / amplitude" : "p99.9 depth error / amplitude";
 }
 
@@ -52,16 +54,18 @@ struct Median {
 
 Plot scene_plot(const Comparison& comparison, const ComparedScene& scene, PlottedError error) {
     Plot plot;
-    plot.title = scene.name + ": error against time";
+    plot.title =
+        scene.name + (error == PlottedError::gap ? ": gap along edges against time" : ": error against time");
     plot.x_label = "frame of primary rays, ms (" + std::to_string(scene.width) + " × " +
                    std::to_string(scene.height) + ")";
     plot.y_label = name_of(error);
-    plot.note = device_note(comparison);
+    plot.notes = {device_note(comparison)};
     plot.y_guide = kAsked;
     for (std::size_t m = 0; m < comparison.methods.size(); ++m) {
         PlotSeries series{comparison.methods[m], static_cast<int>(m), {}, false};
         for (const ComparedPoint& point : scene.points) {
             if (point.method != series.name || !point.timed()) continue;
+            if (error == PlottedError::gap && point.gap.points == 0) continue;
             const Spread time = spread_of(point.primary.wall);
             const double e = error_of(point, error);
             series.points.push_back(
@@ -77,7 +81,8 @@ Plot overall_plot(const Comparison& comparison, PlottedError error) {
     plot.title = "All scenes: error against time";
     plot.x_label = "frame of primary rays, over that of " + comparison.methods.front() + " in the same scene";
     plot.y_label = name_of(error);
-    plot.note = "thick: medians over the scenes; thin: each scene. " + device_note(comparison);
+    plot.notes = {"thick: medians of the scenes (of at least half); thin: each scene",
+                  device_note(comparison)};
     plot.y_guide = kAsked;
     plot.x_is_ratio = true;
     for (std::size_t m = 0; m < comparison.methods.size(); ++m) {
@@ -104,6 +109,7 @@ Plot overall_plot(const Comparison& comparison, PlottedError error) {
         PlotSeries thick{method, static_cast<int>(m), {}, false};
         for (const std::string& label : order) {
             const Median& median = medians[label];
+            if (2 * median.times.size() < comparison.scenes.size()) continue;  // too few to speak for all
             const double time = spread_of(median.times).median, e = spread_of(median.errors).median;
             thick.points.push_back({time, e, time, time, label,
                                     method + " " + label + ": median of the scenes",

@@ -6,7 +6,11 @@
 
 namespace relievo {
 
-enum class PlottedError { p99, p999 };  // of the depth, over the unit
+enum class PlottedError {
+    p99,
+    p999,  // of the depth, over the unit
+    gap,   // p99 of the gap along edges, over the unit
+};
 
 Plot scene_plot(const Comparison& comparison, const ComparedScene& scene, PlottedError error);
 // Times over the subject's in the same scene: scenes of any weight in one picture.

@@ -126,7 +126,8 @@ std::string scene_section(const Comparison& c, const ComparedScene& s) {
            scene_facts(s) + "</p>\n" + notes(s.cut, "Left out for the budget:") +
            notes(s.warnings, "The scene's warnings:") + "<div class=plots>" +
            plot_svg(scene_plot(c, s, PlottedError::p999), false) +
-           plot_svg(scene_plot(c, s, PlottedError::p99), false) + "</div>\n<h3>Errors</h3>" +
+           plot_svg(scene_plot(c, s, PlottedError::p99), false) +
+           plot_svg(scene_plot(c, s, PlottedError::gap), false) + "</div>\n<h3>Errors</h3>" +
            error_table(c, s) + "<h3>Costs</h3>" + cost_table(c, s) +
            "<details><summary>Errors by view angle</summary>" + angle_table(c, s) +
            "</details>\n<h3>Pictures, and the depth errors beside them</h3>" + color_bar() + pictures(c, s) +
@@ -154,7 +155,7 @@ hundred). The <b>gap along edges</b> is how far apart the two triangles of an ed
 the picture that the window shows under a stroke. Times are medians of rounds in which every point is traced in turn,
 after a warm-up round; <b>device</b> is the device's own clock. A ratio is the first method's time over the other's, the
 median of the rounds' ratios, of primary frames and (in brackets) with hard shadows: below 1, the first is the quicker
-one. The <b>best</b> setting is the one of least p99.9 depth error.</p>
+one. The <b>best</b> setting is the coarsest whose p99.9 depth error is within 1% of the least.</p>
 <p class=key>Errors: <span class=e0>to 10<sup>-4</sup></span><span class=e1>to 10<sup>-3</sup></span><span class=e2>to
 10<sup>-2</sup></span><span class=e3>more</span></p></details>
 )";

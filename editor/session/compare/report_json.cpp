@@ -1,4 +1,5 @@
 // The comparison as JSON.
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "editor/session/compare/report.h"
@@ -24,10 +25,22 @@ Json pixel_errors(const PixelErrors& e) {
             {"normal_deg", ranks(e.normal_deg)}};
 }
 
+Json examples(const std::vector<OffPixel>& pixels) {
+    const char* const kinds[] = {"missed", "invented", "depth"};
+    Json list = Json::array();
+    for (const OffPixel& p : pixels)
+        list.push_back({{"kind", kinds[static_cast<int>(p.kind)]},
+                        {"pixel", {p.x, p.y}},
+                        {"reference", std::isfinite(p.reference) ? Json(p.reference) : Json(nullptr)},
+                        {"method", std::isfinite(p.method) ? Json(p.method) : Json(nullptr)}});
+    return list;
+}
+
 Json errors(const ImageComparison& e) {
     Json json = pixel_errors(e);
     json["unexplained"] = e.unexplained;
     json["not_finite"] = e.not_finite;
+    json["unexplained_examples"] = examples(e.unexplained_examples);
     json["by_angle"] = {{"below_0.2", pixel_errors(e.by_angle[0])},
                         {"to_0.8", pixel_errors(e.by_angle[1])},
                         {"above_0.8", pixel_errors(e.by_angle[2])}};

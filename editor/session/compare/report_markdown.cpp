@@ -85,7 +85,8 @@ std::string markdown_text(const Comparison& c) {
     text +=
         "Times are medians of interleaved rounds, in milliseconds: primary rays only, and (in brackets) the "
         "beauty with "
-        "hard shadows. Depth errors and edge gaps are over the amplitude. A ratio is " +
+        "hard shadows. Depth errors and edge gaps are over the amplitude (of an object without any: over a "
+        "hundredth of its radius). A ratio is " +
         (c.methods.empty() ? "" : c.methods.front()) +
         "'s time over the other's: below 1 it is the quicker one.\n\n";
     text += speed_table(c) + error_table(c);

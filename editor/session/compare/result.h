@@ -35,7 +35,7 @@ struct ImageError {
 
 struct EditTimes {                             // milliseconds, medians
     double upload = 0, bounds = 0, refit = 0;  // `upload` is the whole call, the others are parts of it
-    double first_frame_extra = 0;              // of the first primary frame after it, over the median one
+    double first_frame_extra = 0;              // of the first primary frame after it, over the one before it
     int texels = 0;                            // of the edited rectangle
 };
 
@@ -74,7 +74,7 @@ struct Rival {
 struct SpeedAnswer {
     std::string subject, method;
     Rival at_p999, at_p99;  // the coarsest whose p99.9 (p99) depth error is at most 1e-3
-    Rival best;             // the one with the least p99.9 depth error
+    Rival best;             // the coarsest whose p99.9 depth error is within a hundredth of the least
 };
 
 struct ComparedScene {

@@ -30,8 +30,8 @@ void fit_points(std::vector<TimedPoint>& points, double seconds, std::vector<std
 int time_frames(MethodRenderers& renderers, const std::vector<TimedPoint>& points, const Budget& budget,
                 double kept_seconds, const TellRound& tell);
 
-// Uploads a changed rectangle of the first object's map around `uv`, traces a primary frame, and puts the map
-// back; three rounds, fewer where the budget ends. Fills ComparedPoint::edit.
+// Traces a primary frame, uploads a changed rectangle of the first object's map around `uv`, traces another
+// frame, and puts the map back; three rounds, fewer where the budget ends. Fills ComparedPoint::edit.
 void time_edits(MethodRenderers& renderers, const std::vector<TimedPoint>& points, const HeightMap& map,
                 const glm::dvec2& uv, const Budget& budget, const TellRound& tell);
 

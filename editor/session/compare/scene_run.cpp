@@ -193,7 +193,8 @@ void SceneRun::measure_times() {
     time_edits(*renderers_, points, scene_.map(0), edited_place(), budget_,
                telling("edits, round ", 1 - kEditsPart, 1));
     if (!budget_.endless() && result_.rounds < 3)
-        result_.cut.push_back("only " + std::to_string(result_.rounds) + " rounds of frames were timed");
+        result_.cut.push_back("frames were timed in only " + std::to_string(result_.rounds) +
+                              (result_.rounds == 1 ? " round" : " rounds"));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace relievo {
 namespace {
 
-constexpr double kWidth = 660, kHeight = 430, kLeft = 74, kRight = 26, kTop = 62, kBottom = 74;
+constexpr double kWidth = 660, kHeight = 442, kLeft = 74, kRight = 26, kTop = 62, kBottom = 86;
 constexpr double kMarker = 5;
 
 template <typename... Values>
@@ -229,9 +229,11 @@ std::string plot_svg(const Plot& plot, bool standalone) {
     for (const bool faint : {true, false})
         for (const PlotSeries& series : plot.series)
             if (series.faint == faint) svg += line_of(series, frame) + marks_of(series, frame);
-    if (!plot.note.empty())
-        svg += text_of("<text x='%.1f' y='%.1f' class='n'>%s</text>", kLeft, kHeight - 12,
-                       escaped(plot.note).c_str());
+    double y = kHeight - kBottom + 60;
+    for (const std::string& note : plot.notes) {
+        svg += text_of("<text x='%.1f' y='%.1f' class='n'>%s</text>", kLeft, y, escaped(note).c_str());
+        y += 15;
+    }
     return svg + "</svg>\n";
 }
 

@@ -20,7 +20,8 @@ struct PlotSeries {
     bool faint = false;  // drawn thin, behind the others, without labels, and not of the front
 };
 struct Plot {
-    std::string title, x_label, y_label, note;  // the note stands below, small
+    std::string title, x_label, y_label;
+    std::vector<std::string> notes;  // lines below, small
     std::vector<PlotSeries> series;
     double y_least = 1e-8;    // smaller errors are drawn there
     double y_guide = 0;       // a line across; 0: none

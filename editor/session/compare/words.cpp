@@ -24,6 +24,10 @@ std::string error_text(double error) {
     return text;
 }
 
+std::string count_text(double count) {
+    return text_of(count >= 100 ? "%.0f" : count >= 10 ? "%.1f" : "%.2f", count);
+}
+
 std::string ms_text(double ms) {
     const double size = std::abs(ms);
     return text_of(size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : "%.2f", ms);
