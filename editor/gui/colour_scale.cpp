@@ -72,7 +72,9 @@ Rgb ColourScale::colour_at(double share) const {
 std::vector<Tick> ColourScale::ticks() const {
     if (kind_ != Kind::logarithmic) {
         const double middle = (low_ + high_) / 2;
-        return {{0, number(low_)}, {0.5, number(middle)}, {1, number(high_)}};
+        // A heat map ends below the few largest numbers.
+        const std::string end = number(high_) + (kind_ == Kind::heat ? "+" : "");
+        return {{0, number(low_)}, {0.5, number(middle)}, {1, end}};
     }
     std::vector<Tick> ticks;
     const int first = static_cast<int>(std::lround(std::log10(low_)));

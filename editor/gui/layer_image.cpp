@@ -141,15 +141,15 @@ double LayerImage::quantile(double rank) const {
     return static_cast<double>(known[static_cast<std::size_t>(place)]);
 }
 
-ErrorSummary LayerImage::errors(const Palette& palette) const {
+ErrorSummary LayerImage::errors(const Palette& palette, int stride) const {
     ErrorSummary summary;
     const ReferencePicture* reference = palette.reference;
     if (view_ != View::error || !reference || reference->width() != size_.width ||
         reference->height() != size_.height)
         return summary;
     std::vector<double> errors;
-    for (int y = 0; y < size_.height; ++y) {
-        for (int x = 0; x < size_.width; ++x) {
+    for (int y = 0; y < size_.height; y += stride) {
+        for (int x = 0; x < size_.width; x += stride) {
             const auto sample = reference->at(x, y);
             const auto depth = static_cast<double>(values_[index(x, y)]);
             if (!sample || sample->x != x || sample->y != y || std::isnan(depth)) continue;
@@ -162,13 +162,14 @@ ErrorSummary LayerImage::errors(const Palette& palette) const {
     }
     summary.pixels = errors.size();
     if (errors.empty()) return summary;
-    std::sort(errors.begin(), errors.end());
     const auto at = [&](double rank) {
-        return errors[static_cast<std::size_t>(rank * static_cast<double>(errors.size() - 1))];
+        const auto place = static_cast<std::ptrdiff_t>(rank * static_cast<double>(errors.size() - 1));
+        std::nth_element(errors.begin(), errors.begin() + place, errors.end());
+        return errors[static_cast<std::size_t>(place)];
     };
     summary.median = at(0.5);
     summary.p99 = at(0.99);
-    summary.largest = errors.back();
+    summary.largest = at(1);
     return summary;
 }
 

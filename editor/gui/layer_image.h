@@ -43,7 +43,8 @@ class LayerImage {
 
     // A number that the share `rank` of the pixels does not exceed; 0 while there are none.
     double quantile(double rank) const;
-    ErrorSummary errors(const Palette& palette) const;
+    // Of every `stride`th pixel each way.
+    ErrorSummary errors(const Palette& palette, int stride) const;
 
   private:
     std::size_t index(int x, int y) const {

@@ -74,8 +74,13 @@ void LivePane::resize(PixelSize size) {
 }
 
 void LivePane::show_columns(int x0, int x1) {
+    const PixelRect before = on_screen();
     shown_x0_ = x0;
     shown_x1_ = x1;
+    // repaint() left out what was not on screen.
+    const PixelRect now = on_screen();
+    if (now.x0 < before.x0) repaint({now.x0, 0, before.x0, now.y1});
+    if (now.x1 > before.x1) repaint({before.x1, 0, now.x1, now.y1});
 }
 
 // The renderer's pixels of the columns on screen.
@@ -87,9 +92,8 @@ PixelRect LivePane::on_screen() const {
 }
 
 void LivePane::choose_view() {
-    if (shows_layers()) layers_.reset(full_size(), choice_->palette.view);
-    passes_ms_.clear();
-    restart();
+    if (shows_layers()) layers_.reset(renderer_size(), choice_->palette.view);
+    in_motion();  // a coarse picture of it at once, and nothing left of another view
 }
 
 void LivePane::in_motion() {
@@ -278,11 +282,22 @@ void LivePane::show(const PixelRect& window) {
     changed_ = true;
 }
 
+// What is stale keeps its old colours until it is traced.
 void LivePane::repaint(const PixelRect& window) {
-    if (!shows_layers()) return;
-    const PixelRect inside = common(window, {0, 0, layers_.size().width, layers_.size().height});
-    layers_.paint(inside, choice_->palette);
-    show(inside);
+    if (!shows_layers() || layers_.size() != renderer_size()) return;
+    const PixelRect wanted = common(common(window, on_screen()), whole());
+    if (empty(wanted)) return;
+    for (int row = wanted.y0 / kTile; row * kTile < wanted.y1; ++row) {
+        const auto tiles = stale_.begin() + static_cast<std::ptrdiff_t>(row) * tiles_x_;
+        for (int x0 = wanted.x0 / kTile; x0 * kTile < wanted.x1;) {
+            int x1 = x0;
+            while (x1 * kTile < wanted.x1 && !tiles[x1]) ++x1;
+            const PixelRect run = common(wanted, {x0 * kTile, row * kTile, x1 * kTile, (row + 1) * kTile});
+            layers_.paint(run, choice_->palette);
+            if (!empty(run)) show(run);
+            x0 = x1 + 1;
+        }
+    }
 }
 
 // Whole rows of pixels from `row` on, about kSliceMs worth of them.

@@ -33,16 +33,18 @@ class LivePane {
     Renderer& renderer() { return *renderer_; }
     const Renderer& renderer() const { return *renderer_; }
     const Picture& picture() const { return picture_; }
+    PixelSize full_size() const;  // of the renderer's picture when nothing moves
 
-    void resize(PixelSize size);            // pixels on screen
-    void show_columns(int x0, int x1);      // the part that is on screen, pixels on screen
-    void choose_view();                     // the choice has changed in more than its palette
-    void in_motion();                       // camera or settings change continuously: show something now
-    void restart();                         // all is stale, keep what is shown until it is replaced
-    void begin_stroke();                    // full size from now on
-    void after_dab();                       // session.last_dab() changed the surface
-    void end_stroke(bool changed);          // false: it left the surface as it was
-    void repaint(const PixelRect& window);  // the palette, or what it refers to, has changed
+    void resize(PixelSize size);        // pixels on screen
+    void show_columns(int x0, int x1);  // the part that is on screen, pixels on screen
+    void choose_view();                 // another view, count or method
+    void in_motion();                   // camera or settings change continuously: show something now
+    void restart();                     // all is stale, keep what is shown until it is replaced
+    void begin_stroke();                // full size from now on
+    void after_dab();                   // session.last_dab() changed the surface
+    void end_stroke(bool changed);      // false: it left the surface as it was
+    // The palette, or what it refers to, has changed; a window of the renderer's pixels.
+    void repaint(const PixelRect& window);
 
     // Traces the most wanted piece; true: the eye waits for it. `moving_ms`: for one frame in motion.
     bool step(double moving_ms);
@@ -63,7 +65,6 @@ class LivePane {
     bool shows_layers() const { return gui::shows_layers(choice_->palette.view); }
     PixelSize renderer_size() const { return {renderer_->width(), renderer_->height()}; }
     PixelRect whole() const { return {0, 0, renderer_->width(), renderer_->height()}; }
-    PixelSize full_size() const;
     void set_renderer_size(PixelSize size);
     void mark_all_stale();
     void mark_stale(const glm::dvec2& centre_px, double radius_px);

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kMovingMs = 60;  // aim for one frame in motion, all panes together
 constexpr double kLeastError = 1e-7, kMostError = 1;
-constexpr double kCostRank = 0.995;  // of the pixels: a few rays cost ten times the rest
+constexpr double kCostRank = 0.98;  // of the pixels: a few rays cost ten times the rest
 constexpr double kLeastShare = 0.05;
-constexpr double kSumUpMs = 700;
+constexpr double kSumUpMs = 700, kSumUpPixels = 3e5;
 
 double ms_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -127,6 +127,10 @@ bool LivePicture::idle() const {
     return std::all_of(panes_.begin(), panes_.end(), [](const auto& pane) { return pane->idle(); });
 }
 
+bool LivePicture::all_covered() const {
+    return std::all_of(panes_.begin(), panes_.end(), [](const auto& pane) { return pane->covered(); });
+}
+
 bool LivePicture::take_changed() {
     bool changed = false;
     for (auto& pane : panes_) changed |= pane->take_changed();
@@ -161,25 +165,34 @@ void LivePicture::work(double budget_ms) {
 // The reference follows when the picture stands still; until then its last picture is not of this surface.
 void LivePicture::follow_reference() {
     if (view() != View::error) return;
-    const bool still = std::all_of(panes_.begin(), panes_.end(), [](const auto& p) { return p->covered(); });
-    if (!still || session_->in_stroke()) {
-        if (reference_->wants_picture()) reference_->stop();
-        return;
+    const PixelSize full = panes_.front()->full_size();
+    const bool still = all_covered() && !session_->in_stroke();
+    if (!reference_->is_current(full.width, full.height)) {
+        reference_->stop();
+        errors_.assign(2, {});
+        if (!still) return;
+        choice_.palette.units = error_units(session_->scene());
+        reference_->follow(full.width, full.height);
+        repaint(0, full.height);
     }
-    const Renderer& renderer = panes_.front()->renderer();
-    const bool wanted = reference_->wants_picture();
-    reference_->follow(renderer.width(), renderer.height());
-    choice_.palette.units = error_units(session_->scene());
-    if (!wanted) repaint(0, renderer.height());
-    if (const auto rows = reference_->take()) {
-        repaint(rows->begin, rows->end);
+    for (const LiveReference::Rows& rows : reference_->take()) {
+        repaint(rows.begin, rows.end);
         errors_due_ = true;
     }
-    if (errors_due_ && (ms_since(summed_up_) > kSumUpMs || reference_->progress() >= 1)) sum_up_errors();
+    // Another method beside the same reference is to be summed up anew.
+    errors_due_ = errors_due_ || !still;
+    const bool complete = reference_->progress() >= 1;
+    if (still && errors_due_ && (complete || ms_since(summed_up_) > kSumUpMs)) sum_up_errors(complete);
 }
 
-void LivePicture::sum_up_errors() {
-    for (std::size_t i = 0; i < panes_.size(); ++i) errors_[i] = panes_[i]->layers().errors(choice_.palette);
+// While the reference is under way, not so many pixels that the interface has to wait.
+void LivePicture::sum_up_errors(bool complete) {
+    const PixelSize full = panes_.front()->full_size();
+    int stride = 1;
+    while (!complete && static_cast<double>(full.width) * full.height > kSumUpPixels * stride * stride)
+        stride *= 2;
+    for (std::size_t i = 0; i < panes_.size(); ++i)
+        errors_[i] = panes_[i]->layers().errors(choice_.palette, stride);
     summed_up_ = Clock::now();
     errors_due_ = false;
 }
@@ -191,9 +204,8 @@ void LivePicture::repaint(int row_begin, int row_end) {
 // The scale stays while the picture moves or is sculpted, so that a colour keeps its meaning; but the first
 // one of a view comes with its first pixels.
 void LivePicture::update_scale() {
-    const bool covered =
-        std::all_of(panes_.begin(), panes_.end(), [](const auto& p) { return p->covered(); });
-    if (!shows_layers(view()) || session_->in_stroke()) return;
+    const bool covered = all_covered();
+    if (!shows_layers(view()) || view() == View::normals || session_->in_stroke()) return;
     scale_due_ = scale_due_ || !covered;
     if (!scale_due_ || !(covered || scale_is_first_)) return;
     scale_due_ = !covered;

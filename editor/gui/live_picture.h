@@ -67,7 +67,8 @@ class LivePicture {
     using Clock = std::chrono::steady_clock;
     void show_strips();
     void follow_reference();
-    void sum_up_errors();
+    void sum_up_errors(bool complete);
+    bool all_covered() const;
     void update_scale();
     ColourScale wanted_scale() const;
     double most_displacement() const;

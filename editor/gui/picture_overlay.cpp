@@ -41,11 +41,19 @@ std::string milliseconds(double ms) {
     return text;
 }
 
-std::string error_text(const ErrorSummary& errors) {
+std::string error_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, value < 0.01 ? "%.1e" : "%.2g", value);
+    return text;
+}
+
+std::string error_text(const ErrorSummary& errors, bool complete) {
     if (errors.pixels + errors.missed + errors.invented == 0) return {};
-    char text[160];
-    std::snprintf(text, sizeof text, "median %.1e   p99 %.1e   max %.1e   missed %zu   invented %zu",
-                  errors.median, errors.p99, errors.largest, errors.missed, errors.invented);
+    std::string text = (complete ? "" : "so far   ") + ("median " + error_number(errors.median)) + "   p99 " +
+                       error_number(errors.p99);
+    if (complete)
+        text += "   max " + error_number(errors.largest) + "   missed " + std::to_string(errors.missed) +
+                "   invented " + std::to_string(errors.invented);
     return text;
 }
 
@@ -59,7 +67,7 @@ void pane_label(ImDrawList& list, Desk& desk, std::size_t pane, float left, floa
     list.PushClipRect({left, top}, {right, top + points(200)}, true);
     const ImVec2 end = plate(list, {left + points(12), top + points(12)}, text, kText);
     if (desk.live.view() == View::error) {
-        const std::string errors = error_text(desk.live.errors(pane));
+        const std::string errors = error_text(desk.live.errors(pane), desk.live.reference_progress() >= 1);
         if (!errors.empty()) plate(list, {left + points(12), end.y + points(4)}, errors, kTextDim);
     }
     list.PopClipRect();

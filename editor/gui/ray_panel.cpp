@@ -26,7 +26,7 @@ std::array<std::string, 5> cells_of(const TraceNote& note) {
     using Kind = TraceNote::Kind;
     std::array<std::string, 5> cells{"", number("%.7g", note.t),
                                      number("%.2f, ", note.texel.x) + number("%.2f", note.texel.y),
-                                     note.kind == Kind::root ? "" : number("%+.5g", note.height), ""};
+                                     note.kind == Kind::root ? "" : number("%+.4g", note.height), ""};
     switch (note.kind) {
         case Kind::box:
             cells[0] = "box";
@@ -65,7 +65,7 @@ ImU32 colour_of(const TraceNote& note) {
 void draw_notes(const std::vector<TraceNote>& notes) {
     const auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX;
     if (!ImGui::BeginTable("notes", static_cast<int>(kColumns.size()), flags)) return;
-    constexpr std::array<float, 5> kWidths{54, 74, 118, 74, 96};  // points; fixed, because rows are clipped
+    constexpr std::array<float, 5> kWidths{54, 76, 122, 80, 96};  // points; fixed, because rows are clipped
     for (std::size_t i = 0; i < kColumns.size(); ++i)
         ImGui::TableSetupColumn(kColumns[i], ImGuiTableColumnFlags_WidthFixed, points(kWidths[i]));
     ImGui::TableHeadersRow();
@@ -121,9 +121,10 @@ void RayPanel::draw_visits(const Scene& scene) {
         ImGui::PushID(static_cast<int>(i));
         ImGui::SetNextItemOpen(decisive || report_->visits.size() == 1, ImGuiCond_Once);
         const std::string line = std::to_string(i + 1) + ".  " + describe(visit, scene);
-        if (decisive) ImGui::PushStyleColor(ImGuiCol_Text, kGood);
+        const ImU32 colour = decisive ? kGood : visit.notes.empty() ? kTextDim : kText;
+        ImGui::PushStyleColor(ImGuiCol_Text, colour);
         const bool open = ImGui::TreeNodeEx(line.c_str(), visit.notes.empty() ? ImGuiTreeNodeFlags_Leaf : 0);
-        if (decisive) ImGui::PopStyleColor();
+        ImGui::PopStyleColor();
         if (open) {
             if (!visit.notes.empty()) draw_notes(visit.notes);
             ImGui::TreePop();
@@ -135,16 +136,18 @@ void RayPanel::draw_visits(const Scene& scene) {
 void RayPanel::draw(const Session& session, LiveReference& reference, const Box& picture) {
     if (!report_) return;
     if (auto verdict = reference.take_verdict()) verdict_ = verdict;
+    const bool moved = picture.width != placed_in_.width || picture.height != placed_in_.height;
+    placed_in_ = picture;
     const float margin = points(14);
     const float most_width = std::max(points(200), static_cast<float>(picture.width) - 2 * margin);
     const float most_height = std::max(points(120), static_cast<float>(picture.height) - points(110));
-    const float share = 0.55f * static_cast<float>(picture.width);
-    const float width = std::min(std::clamp(share, points(300), points(520)), most_width);
+    const float share = 0.6f * static_cast<float>(picture.width);
+    const float width = std::min(std::clamp(share, points(300), points(536)), most_width);
     // Not over the pixel that was asked about, where there is room beside it.
     const float right = static_cast<float>(picture.x + picture.width) - margin - width;
     const ImVec2 corner(at_left_ ? static_cast<float>(picture.x) + margin : right,
                         static_cast<float>(picture.y) + points(44));
-    const auto when = fresh_ ? ImGuiCond_Always : ImGuiCond_Appearing;
+    const auto when = fresh_ || moved ? ImGuiCond_Always : ImGuiCond_Appearing;
     ImGui::SetNextWindowPos(corner, when);
     ImGui::SetNextWindowSize({width, std::min(points(430), most_height)}, when);
     ImGui::SetNextWindowSizeConstraints({std::min(points(300), most_width), points(120)},

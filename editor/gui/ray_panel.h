@@ -31,7 +31,8 @@ class RayPanel {
 
     std::optional<RayReport> report_;
     std::optional<ReferenceVerdict> verdict_;
-    Box box_;
+    Box box_;        // of the panel
+    Box placed_in_;  // the picture when it was placed
     bool fresh_ = false, at_left_ = true;
 };
 

@@ -1,6 +1,7 @@
 // The bar at the top: file, history, and the brush settings that change most often.
 #include <imgui.h>
 
+#include <array>
 #include <string>
 
 #include "editor/gui/panels.h"
@@ -42,6 +43,23 @@ void file_buttons(Desk& desk) {
     ImGui::SameLine();
     if (push_button("Redo", desk.session.can_redo(), "Ctrl+Shift+Z or Ctrl+Y")) desk.redo();
     divider();
+}
+
+float label_width(const char* text) {
+    return points(14) + ImGui::CalcTextSize(text).x + points(6);
+}
+
+void size_slider(Desk& desk) {
+    const float radius = desk.mesh_radius();
+    bar_slider("##size", desk.session.brush().radius, {radius * 0.002f, radius * 2, true}, "%.4g");
+    tooltip("Reach of the brush on the displaced surface, in world units.  [ and ] change it, F drags it.",
+            "Size");
+}
+
+void strength_slider(Desk& desk) {
+    bar_slider("##strength", desk.session.brush().strength, {0, 1}, "%.2f");
+    tooltip("Draw: height of one pass. Level and erase: how far one stroke goes.  Shift+F drags it.",
+            "Strength");
 }
 
 void view_combo(Desk& desk) {
@@ -86,32 +104,47 @@ void method_combo(Desk& desk) {
     tooltip(now.title, "Method of ray tracing");
 }
 
+namespace {
+
+// The settings of the bar, left to right; `rank`: what finds no room is left out from the greatest on. All of
+// them stand in the side panel too, but the view.
+struct BarItem {
+    const char* name;
+    float width;  // points
+    int rank;
+    void (*draw)(Desk& desk);
+};
+
+constexpr std::array kItems{
+    BarItem{"Size", 130, 2, size_slider},     BarItem{"Strength", 110, 3, strength_slider},
+    BarItem{"Falloff", 96, 4, falloff_combo}, BarItem{"Method", 110, 1, method_combo},
+    BarItem{"View", 118, 0, view_combo},
+};
+
+// The ranks below it fit into `room` pixels.
+int ranks_that_fit(float room) {
+    for (int rank = 0; rank < static_cast<int>(kItems.size()); ++rank) {
+        for (const BarItem& item : kItems)
+            if (item.rank == rank) room -= label_width(item.name) + points(item.width);
+        if (room < 0) return rank;
+    }
+    return static_cast<int>(kItems.size());
+}
+
+}  // namespace
+
 void draw_top_bar(Desk& desk, const Box& box) {
     begin_panel("top", box, points(10), (static_cast<float>(box.height) - ImGui::GetFrameHeight()) / 2);
     file_buttons(desk);
-    Brush& brush = desk.session.brush();
-    const float radius = desk.mesh_radius();
-    label("Size");
-    ImGui::SetNextItemWidth(points(130));
-    bar_slider("##size", brush.radius, {radius * 0.002f, radius * 2, true}, "%.4g");
-    tooltip("Reach of the brush on the displaced surface, in world units.  [ and ] change it, F drags it.",
-            "Size");
-    label("Strength");
-    ImGui::SetNextItemWidth(points(110));
-    bar_slider("##strength", brush.strength, {0, 1}, "%.2f");
-    tooltip("Draw: height of one pass. Level and erase: how far one stroke goes.  Shift+F drags it.",
-            "Strength");
-    label("Falloff");
-    ImGui::SetNextItemWidth(points(96));
-    falloff_combo(desk);
-    label("Method");
-    ImGui::SetNextItemWidth(points(110));
-    method_combo(desk);
-    label("View");
-    ImGui::SetNextItemWidth(points(118));
-    view_combo(desk);
-    const float keys = ImGui::CalcTextSize("Keys").x + points(28);
-    if (ImGui::GetContentRegionAvail().x > 0) ImGui::SameLine(static_cast<float>(box.width) - keys);
+    const float keys = static_cast<float>(box.width) - ImGui::CalcTextSize("Keys").x - points(28);
+    const int ranks = ranks_that_fit(keys - ImGui::GetCursorPosX() - points(8));
+    for (const BarItem& item : kItems) {
+        if (item.rank >= ranks) continue;
+        label(item.name);
+        ImGui::SetNextItemWidth(points(item.width));
+        item.draw(desk);
+    }
+    ImGui::SameLine(keys);
     if (push_button("Keys", true, "All keys and mouse buttons  (F1)")) desk.view.wanted = Dialog::keys;
     ImGui::End();
 }

@@ -64,13 +64,20 @@ LiveReference::LiveReference(const Session& session, std::function<void()> on_ne
 
 LiveReference::~LiveReference() = default;
 
+bool LiveReference::snapshot_is_current() const {
+    const Displacement& d = session_->scene().objects.front().displacement;
+    return snapshot_ && snapshot_->revision == session_->map_revision() &&
+           snapshot_->amplitude == d.amplitude && snapshot_->midlevel == d.midlevel;
+}
+
+bool LiveReference::is_current(int width, int height) const {
+    return snapshot_is_current() && wanted_ == Frame{session_->scene().camera, width, height};
+}
+
 // Takes a copy of what edits change, when it has changed; a picture of the old surface is given up then.
 void LiveReference::refresh_snapshot() {
     if (!workers_) workers_ = std::make_unique<ReferenceWorkers>(on_news_);
-    const Displacement& d = session_->scene().objects.front().displacement;
-    const bool same = snapshot_ && snapshot_->revision == session_->map_revision() &&
-                      snapshot_->amplitude == d.amplitude && snapshot_->midlevel == d.midlevel;
-    if (same) return;
+    if (snapshot_is_current()) return;
     stop();
     snapshot_ = take_snapshot(*session_);
 }
@@ -91,14 +98,20 @@ void LiveReference::stop() {
     if (workers_) workers_->stop();
 }
 
-std::optional<LiveReference::Rows> LiveReference::take() {
-    if (!workers_ || !wanted_) return std::nullopt;
-    std::optional<Rows> rows;
+std::vector<LiveReference::Rows> LiveReference::take() {
+    std::vector<Rows> rows;
+    if (!workers_ || !wanted_) return rows;
     for (const ReferencePicture::Strip& strip : workers_->take_strips()) {
         picture_.add(strip);
         ++strips_taken_;
         const int end = std::min(picture_.height(), strip.row + strip.step);
-        rows = rows ? Rows{std::min(rows->begin, strip.row), std::max(rows->end, end)} : Rows{strip.row, end};
+        // Helpers may finish out of order by a few rows; a new pass begins at the top again.
+        const bool adjoins = !rows.empty() && std::abs(strip.row - rows.back().end) <= 4 * strip.step;
+        if (adjoins) {
+            rows.back() = {std::min(rows.back().begin, strip.row), std::max(rows.back().end, end)};
+        } else {
+            rows.push_back({strip.row, end});
+        }
     }
     return rows;
 }

@@ -80,10 +80,12 @@ class LiveReference {
         int begin, end;
     };
     // Moves what the threads have finished into picture(); the rows that look different since.
-    std::optional<Rows> take();
+    std::vector<Rows> take();
     const ReferencePicture& picture() const { return picture_; }
     bool wants_picture() const { return wanted_.has_value(); }
-    double progress() const;  // [0, 1]
+    bool is_current(int width,
+                    int height) const;  // the picture wanted is of the surface and camera as they are
+    double progress() const;            // [0, 1]
 
     // Asks about one ray (rebased space) and the surface as it is now. A later question replaces this one.
     void ask(const Ray& ray);
@@ -92,6 +94,7 @@ class LiveReference {
     std::string take_trouble();  // why the reference cannot work, once; else empty
 
   private:
+    bool snapshot_is_current() const;
     void refresh_snapshot();
 
     const Session* session_;

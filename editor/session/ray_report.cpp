@@ -81,6 +81,7 @@ RayReport report_ray(Renderer& renderer, const std::string& method, const glm::i
 }
 
 std::string describe(const RayReport::Visit& visit, const Scene& scene) {
+    if (visit.notes.empty()) return triangle_name(visit.object, visit.face, scene) + ": its box only";
     std::string text = triangle_name(visit.object, visit.face, scene) + ": " + counted(visit.steps, "step") +
                        ", " + counted(visit.cells, "cell") + ", " + counted(visit.roots, "root");
     if (visit.hit) text += formatted(", hit at t %.7g", static_cast<double>(visit.hit->t));

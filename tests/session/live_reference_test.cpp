@@ -93,8 +93,10 @@ TEST_F(LiveReferences, TheWholePictureIsThatOfTheReference) {
 
 TEST_F(LiveReferences, AnEditInItsMidstStartsAnotherPictureOfTheNewSurface) {
     reference_.follow(kWidth, kHeight);
+    EXPECT_TRUE(reference_.is_current(kWidth, kHeight));
     session_.brush().strength = 1;
     test::sculpt(session_, 3, 20);
+    EXPECT_FALSE(reference_.is_current(kWidth, kHeight));
     reference_.follow(kWidth, kHeight);
     session_.set("amplitude", 0.35);
     reference_.follow(kWidth, kHeight);
