@@ -1,27 +1,19 @@
 // relievo compare SCENE... -o FOLDER: errors beside times, of every method and quality setting.
-#include "editor/session/compare/compare.h"
+#include "editor/cli/compare.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 #include "editor/cli/progress.h"
-#include "editor/cli/verbs.h"
+#include "editor/session/compare/compare.h"
 #include "editor/session/compare/report.h"
 
 namespace relievo {
 namespace {
-
-struct CompareVerb {
-    std::vector<std::string> scenes;
-    std::string folder, methods;
-    double budget_s = 0;
-    CommonOptions common;
-    MethodOptions method;  // its --path
-    PictureOptions picture;
-};
 
 std::string time_text(double seconds) {
     char text[40];
@@ -33,6 +25,9 @@ std::string time_text(double seconds) {
 }
 
 int run_compare(const CompareVerb& verb) {
+    if (verb.stability) return run_compare_stability(verb);
+    if (!verb.cases.empty()) throw std::invalid_argument("--cases: goes with --stability only");
+    if (verb.scenes.empty()) throw std::invalid_argument("SCENE: is required, or --stability");
     const SessionOptions session = session_options(verb.common, verb.method, verb.picture);
     CompareOptions options;
     for (const std::string& scene : verb.scenes) options.scenes.emplace_back(scene);
@@ -70,11 +65,18 @@ void add_compare(CLI::App& app, Command& command) {
     CLI::App& verb =
         *app.add_subcommand("compare", "Measure every method's errors beside its times; write a report");
     const auto options = std::make_shared<CompareVerb>();
-    verb.add_option("SCENE", options->scenes, "Scene files (JSON)")->required();
+    verb.add_option("SCENE", options->scenes, "Scene files (JSON)");
     verb.add_option("-o,--output", options->folder,
                     "Folder for the report: index.html, results.csv, results.json")
         ->type_name("FOLDER")
         ->required();
+    verb.add_flag(
+        "--stability", options->stability,
+        "Judge the methods on the stiff and extreme cases instead of scenes: index.html, stability.csv, "
+        "stability.json; exit status 1 when a method breaks a promise");
+    verb.add_option("--cases", options->cases,
+                    "With --stability: some of its cases, with commas between; all when not given")
+        ->type_name("LIST");
     verb.add_option("--methods", options->methods,
                     "Methods with commas between, the one to judge first; all when not given")
         ->type_name("LIST");

@@ -44,7 +44,7 @@ std::vector<CaseEntry> amplitude_cases() {
             [=] { return make(-ten); });
     }
     add("lump_high", "amplitude 0.4 of the radius on 30 irregular triangles",
-        [] { return on_lump(0.4, 0.5, ball_dunes_map(128, 128)); });
+        [] { return irregular(on_lump(0.4, 0.5, ball_dunes_map(128, 128))); });
     add("lump_carved", "amplitude -0.4 of the radius on 30 irregular triangles",
         [] { return on_lump(-0.4, 0.5, ball_dunes_map(128, 128)); });
     return list;

@@ -1,6 +1,7 @@
 // See case_parts.h.
 #include "renderer/stability/case_parts.h"
 
+#include <glm/mat4x4.hpp>
 #include <utility>
 
 namespace relievo::stability {
@@ -54,7 +55,12 @@ Case on_lump(double amplitude, double midlevel, const MapShape& map) {
 }
 
 Case smooth(Case c) {
-    c.smooth = true;
+    c.sampled = Sampled::within_limits;
+    return c;
+}
+
+Case irregular(Case c) {
+    c.sampled = Sampled::known_flaw;
     return c;
 }
 
@@ -67,13 +73,21 @@ Case scaled(Case c, double scale) {
     for (NamedView& v : c.views) v.eye *= scale, v.look_at *= scale;
     for (RaySet& set : c.rays)
         for (Ray& ray : set.rays) ray.origin = glm::vec3(dvec3(ray.origin) * scale);
-    c.smooth = false;
+    c.sampled = Sampled::no_promise;
     return c;
 }
 
 Case moved(Case c, const dvec3& origin) {
+    for (SampleSurface& surface : c.objects) {
+        MeshFile file;  // as it would be read: in the world, in double
+        for (const glm::vec3& p : surface.mesh.positions) file.positions.push_back(dvec3(p) + origin);
+        for (const glm::vec3& n : surface.mesh.normals) file.file_normals.emplace_back(n);
+        for (const glm::vec2& uv : surface.mesh.uvs) file.uvs.emplace_back(uv);
+        file.faces = surface.mesh.faces;
+        surface.mesh = make_mesh(file, glm::dmat4(1), origin, true);
+    }
     c.origin = origin;
-    c.smooth = false;
+    c.sampled = Sampled::no_promise;
     return c;
 }
 

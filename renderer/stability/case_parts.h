@@ -29,6 +29,7 @@ Case on_lump(double amplitude, double midlevel, const MapShape& map);
 
 // The same, held to the limits of sampling methods too.
 Case smooth(Case c);
+Case irregular(Case c);  // to those of the known flaw
 // Everything `scale` times as large.
 Case scaled(Case c, double scale);
 Case moved(Case c, const glm::dvec3& origin);

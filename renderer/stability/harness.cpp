@@ -114,7 +114,7 @@ void JudgedCase::trace_views() {
     if (!case_.views.empty() && seen < kSeen) complaints_.push_back("nothing is seen of the case");
 }
 
-Cell JudgedCase::run(vulkan::Context& context, const Method& method) const {
+Cell JudgedCase::run(vulkan::Context& context, const Method& method, TracePath path) const {
     Cell cell;
     cell.name = entry_.name;
     cell.method = method.name;
@@ -123,6 +123,7 @@ Cell JudgedCase::run(vulkan::Context& context, const Method& method) const {
         RenderSettings settings;
         settings.width = settings.height = case_.size;
         settings.method = method.name;
+        settings.path = path;
         settings.parameters = promise_of(method.name).parameters;
         const NamedView away{"", {10, 10, 10}, {0, 0, 0}};
         const std::vector<HeightView> maps = case_.maps();
@@ -215,7 +216,7 @@ void JudgedCase::decide(const Method& method, Cell& cell) const {
         const auto right = right_failures(view.errors);
         off += right.empty() ? 0 : 1;
         if (promise.right) add_failures(cell, view.view, right);
-        if (promise.sampled && case_.smooth) add_failures(cell, view.view, sampled_failures(view.errors));
+        if (promise.sampled) add_failures(cell, view.view, sampled_failures(view.errors, case_.sampled));
     }
     const KnownLimit* limit = find_known_limit(method.name, entry_.name);
     if (!case_.beyond_float.empty()) {
@@ -226,8 +227,11 @@ void JudgedCase::decide(const Method& method, Cell& cell) const {
         cell.verdict = off == 0 ? Verdict::right : Verdict::rough;
         cell.stale = limit != nullptr;
     } else {
-        cell.verdict = limit != nullptr ? Verdict::known : Verdict::wrong;
-        if (limit != nullptr) cell.note = "known limit: " + std::string(limit->reason);
+        const bool known = limit != nullptr && cell.worst().errors.unexplained <= limit->most_wrong;
+        cell.verdict = known ? Verdict::known : Verdict::wrong;
+        if (limit != nullptr)
+            cell.note = "known limit: " + std::string(limit->reason) + "; at most " +
+                        std::to_string(limit->most_wrong) + " pixels";
     }
 }
 

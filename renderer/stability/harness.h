@@ -53,7 +53,7 @@ class JudgedCase {
     JudgedCase& operator=(const JudgedCase&) = delete;
 
     // Any exception of the renderer is a broken cell.
-    Cell run(vulkan::Context& context, const Method& method) const;
+    Cell run(vulkan::Context& context, const Method& method, TracePath path = TracePath::automatic) const;
 
     // What is wrong with the case itself, one sentence each: the reference could not decide, nothing is seen.
     const std::vector<std::string>& complaints() const { return complaints_; }

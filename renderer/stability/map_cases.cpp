@@ -33,7 +33,8 @@ void add_values(std::vector<CaseEntry>& list) {
         [] { return smooth(on_ball(0.2, 0.5, ball_dunes_map(256, 128))); });
     add("ball_carved", "the same, carved by a negative amplitude at midlevel 0",
         [] { return smooth(on_ball(-0.1, 0.0, ball_dunes_map(256, 128))); });
-    add("lump", "30 irregular triangles", [] { return on_lump(0.1, 0.5, ball_dunes_map(128, 128)); });
+    add("lump", "30 irregular triangles",
+        [] { return irregular(on_lump(0.1, 0.5, ball_dunes_map(128, 128))); });
     add("ramp", "one slope across the map, clamped", [] {
         return smooth(on_plane(0.3, 0.5, {64, 64, [](int x, int) { return x / 63.0; }, Wrap::clamp}));
     });

@@ -21,13 +21,19 @@ struct RaySet {
     std::vector<Ray> rays;  // rebased space
 };
 
+// What a method that samples is held to (promises.h).
+enum class Sampled {
+    within_limits,  // smooth and regular
+    known_flaw,     // irregular neighbours, whose prisms disagree whatever the step (DESIGN.md section 1)
+    no_promise,     // cliffs, features thinner than a step, and all else
+};
+
 struct Case {
     std::vector<SampleSurface> objects;
     std::vector<NamedView> views;
     std::vector<RaySet> rays;
     glm::dvec3 origin{0};  // of the scene: how far from the world's zero it lies
-    // On smooth, regular surfaces a method that samples is held to limits too (promises.h).
-    bool smooth = false;
+    Sampled sampled = Sampled::no_promise;
     // Why float cannot represent the answer here: then no method is held to errors. Empty: it can.
     std::string beyond_float;
     int size = 64;  // pixels a side

@@ -96,5 +96,22 @@ TEST_F(CompareVerb, BadInputIsOneLine) {
     EXPECT_FALSE(fs::exists(path("report")));
 }
 
+TEST_F(CompareVerb, JudgesExtremeCases) {
+    expect_refused({"compare", "-o", path("report")}, "SCENE: is required, or --stability");
+    expect_refused({"compare", scene_, "-o", path("report"), "--cases", "dunes"}, "--cases: goes with --stability");
+    expect_refused({"compare", scene_, "-o", path("report"), "--stability"}, "does not go with --stability");
+    expect_refused({"compare", "-o", path("report"), "--stability", "--cases", "quicksand"}, "--cases: ");
+    if (!test::have_device()) GTEST_SKIP() << "no Vulkan device";
+    const Outcome outcome = run_program(
+        {"compare", "-o", path("report"), "--stability", "--cases", "flat_mid,rays_in_a_plane", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["cases"].size(), 2u);
+    EXPECT_EQ(json["cases"][0]["case"], "flat_mid");
+    EXPECT_GE(json["cases"][0]["methods"].size(), 2u);
+    for (const char* file : {"index.html", "stability.csv", "stability.json"})
+        EXPECT_GT(fs::file_size(path(std::string("report/") + file)), 100u) << file;
+}
+
 }  // namespace
 }  // namespace relievo
