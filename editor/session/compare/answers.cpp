@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -28,15 +29,14 @@ Rival rival_of(const ComparedPoint* subject, const ComparedPoint* other) {
 // Points stand coarse first within their method.
 SpeedAnswer answer(const ComparedPoint& subject, const std::string& method,
                    const std::vector<ComparedPoint>& points) {
-    const ComparedPoint *at_p999 = nullptr, *at_p99 = nullptr, *best = nullptr;
+    const ComparedPoint *at_p999 = nullptr, *at_p99 = nullptr;
     for (const ComparedPoint& point : points) {
         if (point.method != method) continue;
         if (!at_p999 && point.errors.depth.p999 <= kKept) at_p999 = &point;
         if (!at_p99 && point.errors.depth.p99 <= kKept) at_p99 = &point;
-        if (!best || point.errors.depth.p999 < kEqual * best->errors.depth.p999) best = &point;
     }
     return {subject.label, method, rival_of(&subject, at_p999), rival_of(&subject, at_p99),
-            rival_of(&subject, best)};
+            rival_of(&subject, best_point(points, method))};
 }
 
 }  // namespace
@@ -54,6 +54,15 @@ std::size_t most_exact_point(const std::vector<ComparedPoint>& points) {
     const auto best = std::min_element(points.begin(), points.end(),
                                        [&](const auto& a, const auto& b) { return key(a) < key(b); });
     return static_cast<std::size_t>(best - points.begin());
+}
+
+const ComparedPoint* best_point(const std::vector<ComparedPoint>& points, const std::string& method) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const ComparedPoint& point : points)
+        if (point.method == method) least = std::min(least, point.errors.depth.p999);
+    for (const ComparedPoint& point : points)
+        if (point.method == method && kEqual * point.errors.depth.p999 <= least) return &point;
+    return nullptr;
 }
 
 double time_ratio(const RoundTimes& a, const RoundTimes& b) {

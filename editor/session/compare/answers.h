@@ -11,6 +11,10 @@ namespace relievo {
 // Fewest wrong or far-off pixels, then the least p99.9 and p99 depth error. At least one point.
 std::size_t most_exact_point(const std::vector<ComparedPoint>& points);
 
+// The coarsest of a method's points whose p99.9 depth error is within a hundredth of its least; null: it has
+// none.
+const ComparedPoint* best_point(const std::vector<ComparedPoint>& points, const std::string& method);
+
 // Fills `answers`: the method of the first point, which stands first in the registry, beside every other one.
 void answer_speed(ComparedScene& scene);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "editor/session/compare/answers.h"
 #include "editor/session/compare/report.h"
 #include "editor/session/compare/words.h"
 
@@ -61,9 +62,7 @@ std::string error_table(const Comparison& c) {
                        rule(8);
     for (const ComparedScene& s : c.scenes)
         for (const std::string& method : c.methods) {
-            const ComparedPoint* best = nullptr;
-            for (const ComparedPoint& p : s.points)
-                if (p.method == method && (!best || p.errors.depth.p999 < best->errors.depth.p999)) best = &p;
+            const ComparedPoint* best = best_point(s.points, method);
             if (!best) continue;
             const ImageComparison& e = best->errors;
             text += line({s.name, best->label,
