@@ -1,12 +1,23 @@
 // A bar on stderr for long work, when stderr is a terminal; nothing otherwise.
 #include "editor/cli/progress.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <utility>
 
 namespace relievo {
+namespace {
+
+// A longer line would wrap, and could not be taken back.
+std::size_t terminal_columns() {
+    winsize size{};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+    return known ? size.ws_col : 120;
+}
+
+}  // namespace
 
 ProgressBar::ProgressBar(std::string label)
     : label_(std::move(label)), terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -34,7 +45,8 @@ void ProgressBar::update(std::size_t done, std::size_t total, const std::string&
     const std::size_t filled = done * kCells / total;
     const std::string bar = std::string(filled, '#') + std::string(kCells - filled, '.');
     const std::string behind = note.empty() ? std::to_string(done) + " of " + std::to_string(total) : note;
-    std::fprintf(stderr, "\r%s [%s] %s\033[K", label_.c_str(), bar.c_str(), behind.c_str());
+    const std::string line = label_ + " [" + bar + "] " + behind;
+    std::fprintf(stderr, "\r%s\033[K", line.substr(0, terminal_columns() - 1).c_str());
     std::fflush(stderr);
 }
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "brushes/map_file.h"
 #include "tests/cli/program.h"
 #include "tests/session/test_scene.h"
 
@@ -29,6 +31,40 @@ class CompareVerb : public testing::Test {
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
         EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+
+    // An irregular lump of 20 triangles with a wavy map.
+    std::string write_lump() const {
+        constexpr double kPhi = 1.618033988749895;
+        constexpr double kVertices[12][3] = {{-1, kPhi, 0}, {1, kPhi, 0}, {-1, -kPhi, 0}, {1, -kPhi, 0},
+                                             {0, -1, kPhi}, {0, 1, kPhi}, {0, -1, -kPhi}, {0, 1, -kPhi},
+                                             {kPhi, 0, -1}, {kPhi, 0, 1}, {-kPhi, 0, -1}, {-kPhi, 0, 1}};
+        constexpr int kFaces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                       {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                       {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                       {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+        std::ostringstream obj;
+        for (int i = 0; i < 12; ++i) {
+            const double* v = kVertices[i];
+            const double r = 0.35 + 0.4 * (i * 7 % 12) / 12;
+            obj << "v " << v[0] * r << " " << v[1] * r << " " << v[2] * r << "\nvt " << 0.5 + 0.2 * v[0]
+                << " " << 0.5 + 0.2 * v[1] + 0.05 * v[2] << "\n";
+        }
+        for (const auto& f : kFaces) {
+            obj << "f";
+            for (const int corner : f) obj << " " << corner + 1 << "/" << corner + 1;
+            obj << "\n";
+        }
+        test::write_text(path("lump.obj"), obj.str());
+        HeightMap map(64, 64);
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x)
+                map.set(x, y,
+                        static_cast<std::uint16_t>(32768 + 16000 * std::sin(0.14 * x) * std::cos(0.17 * y)));
+        save_map(map, path("lump.tif"), MapFormat::tiff16);
+        test::write_text(path("lump.json"), R"({"relievo": 1, "objects": [{"mesh": "lump.obj", "displacement":
+            {"map": "lump.tif", "amplitude": 0.3, "midlevel": 0.5}}]})");
+        return path("lump.json");
     }
 
     test::TemporaryFolder folder_;
@@ -80,6 +116,28 @@ TEST_F(CompareVerb, JudgesTheMethodsThatAreAskedForTheFirstFirst) {
     EXPECT_EQ(errors["missed"], 0);
     EXPECT_LE(errors["depth"]["p99"], 1e-4);
     EXPECT_LE(json["scenes"][0]["points"][0]["edge_gap"]["gap"]["max"], 1e-4);
+}
+
+TEST_F(CompareVerb, ShowsTheSampledMethodsGapAtEveryStepAndNoneOfTheExactOne) {
+    if (!test::have_device()) GTEST_SKIP() << "no Vulkan device";
+    const Outcome outcome = run_program({"compare", write_lump(), "-o", path("report"), "--size", "48x48",
+                                         "--methods", "exact,pdm", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto points = nlohmann::json::parse(outcome.out)["scenes"][0]["points"];
+    ASSERT_EQ(points.size(), 8u);
+    const auto& exact = points[0]["edge_gap"];
+    EXPECT_GT(exact["points"], 300);
+    EXPECT_LT(exact["gap"]["max"], 1e-4);
+    EXPECT_EQ(exact["above_0.001"], 0);
+    EXPECT_EQ(exact["leaks"], 0);
+    const auto& finest = points[7]["edge_gap"]["gap"];
+    EXPECT_GT(finest["p99"], 2e-3);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const auto& gap = points[i]["edge_gap"]["gap"];
+        EXPECT_NEAR(gap["median"], finest["median"], 0.1 * finest["median"].get<double>())
+            << points[i]["label"];
+        EXPECT_NEAR(gap["p99"], finest["p99"], 0.1 * finest["p99"].get<double>()) << points[i]["label"];
+    }
 }
 
 TEST_F(CompareVerb, BadInputIsOneLine) {
