@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -33,48 +34,104 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.gloss = all || any_gloss(scene);
     f.sky = all || any_sky(scene);
     f.mended_creases = request.has_creases && request.method->geometry == GeometryKind::parallel_prisms;
-    f.pyramid = request.method->needs_pyramid;
+    f.pyramid = all || request.method->needs_pyramid;
     f.true_shell = request.method->geometry == GeometryKind::surface_bounds;
     f.by_pipeline = request.by_pipeline;
     return f;
 }
 
-FeatureReport describe_features(const Scene& scene, const FeatureRequest& request, const Features& f) {
-    const std::string method(request.method->name);
-    const auto reason = [&](bool needed, const char* yes, const char* no) {
-        return std::string(needed ? yes : request.everything ? "everything was asked for" : no);
-    };
-    FeatureReport report;
-    const auto add = [&](const char* name, bool built, std::string why) {
-        report.features.push_back({name, built, std::move(why), 0});
-    };
-    add("base mesh prisms", true, "every triangle is met as one box in one acceleration structure");
-    add("displacement maps", true, "the surface itself, 16 bits a texel");
-    add("height bounds", true, "each triangle's box is as high as its own part of the map (kept on the processor)");
-    add("min-max pyramid", f.pyramid,
-        "method " + method + (f.pyramid ? " bounds the map by it" : " samples heights and needs no bounds of the map"));
-    add("shadows", f.shadows, reason(any_light(scene) || any_sky(scene), "the scene has light", "the scene has no light"));
-    add("sky light", f.sky, reason(any_sky(scene), "the environment shines", "the environment is dark"));
-    add("gloss", f.gloss, reason(any_gloss(scene), "a material has specular > 0", "no material has specular > 0"));
-    add("opacity maps", f.opacity,
-        reason(any_opacity(scene), "an object has an opacity map", "no object has an opacity map"));
-    add("several objects", scene.objects.size() > 1,
-        scene.objects.size() > 1 ? "textures are indexed by object" : "one object: textures are not indexed");
-    add("mended creases", f.mended_creases,
-        request.method->geometry != GeometryKind::parallel_prisms
-            ? "method " + method + " does not offset triangles in parallel"
-            : (request.has_creases ? "edges are folded below 5 degrees" : "no edge is folded below 5 degrees"));
-    add("ray query", !f.by_pipeline,
-        f.by_pipeline ? "the ray tracing pipeline is used" : "compute shaders trace");
-    add("ray tracing pipeline", f.by_pipeline,
-        f.by_pipeline ? "asked for, or the device has no ray query" : "the ray query does its work");
-    add("image", true, "sum of samples, their number, and the tone-mapped picture");
-    add("layers", false, "depth, normals, uv and id are traced only when asked for");
-    add("picking", false, "compiled at the first pick");
-    add("counters", false, "what rays cost is counted only when asked for");
-    add("ray log", false, "compiled when the first ray is asked about");
-    add("bounces and refraction", false, "this version traces camera and shadow rays");
-    return report;
+namespace {
+
+// One list of decisions, in the order that `explain` prints them.
+class Describer {
+  public:
+    Describer(const Scene& scene, const FeatureRequest& request, const Features& features)
+        : scene_(scene), request_(request), features_(features), method_("method " + std::string(request.method->name)) {}
+
+    void add(const char* name, bool built, std::string why) { report_.features.push_back({name, built, std::move(why), 0}); }
+
+    // `needed`: by the scene or the method; else it is there only because everything was asked for.
+    void add_needed(const char* name, bool built, bool needed, const std::string& yes, const std::string& no) {
+        add(name, built, needed ? yes : built ? "everything was asked for" : no);
+    }
+
+    void geometry() {
+        const Features& f = features_;
+        add("base mesh prisms", true, "every triangle is met as one box in one acceleration structure");
+        add("displacement maps", true, "the surface itself, 16 bits a texel");
+        add("height bounds", true, "each triangle's box is as high as its own part of the map (kept on the processor)");
+        add_needed("min-max pyramid", f.pyramid, request_.method->needs_pyramid, method_ + " bounds the map by it",
+                   method_ + " samples heights and needs no bounds of the map");
+        add("surface bounds", f.true_shell,
+            f.true_shell ? method_ + " meets the surface itself: boxes hold it where it leaves the parallel prism"
+                         : method_ + " meets the surface of the parallel prism, and boxes hold no more");
+        const bool parallel = request_.method->geometry == GeometryKind::parallel_prisms;
+        add("mended creases", f.mended_creases,
+            !parallel               ? method_ + " does not offset triangles in parallel"
+            : request_.has_creases ? "edges are folded below 5 degrees"
+                                   : "no edge is folded below 5 degrees");
+        add("several objects", scene_.objects.size() > 1,
+            scene_.objects.size() > 1 ? "textures are indexed by object" : "one object: textures are not indexed");
+    }
+
+    void shading() {
+        const Features& f = features_;
+        add_needed("shadows", f.shadows, any_light(scene_) || any_sky(scene_), "the scene has light",
+                   "the scene has no light");
+        add_needed("sky light", f.sky, any_sky(scene_), "the environment shines", "the environment is dark");
+        add_needed("gloss", f.gloss, any_gloss(scene_), "a material has specular > 0", "no material has specular > 0");
+        add_needed("opacity maps", f.opacity, any_opacity(scene_), "an object has an opacity map",
+                   "no object has an opacity map");
+        add("bounces and refraction", false, "this version traces camera and shadow rays");
+    }
+
+    // Switches of the method that the shader reads as it runs.
+    void switches(const std::map<std::string, double>& parameters) {
+        const auto add_switch = [&](const char* name, const char* parameter, const char* on, const char* off) {
+            const auto found = parameters.find(parameter);
+            const bool has = found != parameters.end(), built = has && found->second > 0.5;
+            add(name, built, !has ? method_ + " has none" : std::string(parameter) + (built ? " is on: " : " is off: ") +
+                                                                (built ? on : off));
+        };
+        add_switch("thin-feature jitter", "jitter", "the first sample is shifted at random",
+                   "what is thinner than a step can be missed for good");
+        add_switch("normal correction", "correct_normals", "shading takes the interpolated normal",
+                   "shading takes the base triangle's normal");
+    }
+
+    void passes() {
+        const Features& f = features_;
+        add("ray query", !f.by_pipeline, f.by_pipeline ? "the ray tracing pipeline is used" : "compute shaders trace");
+        add("ray tracing pipeline", f.by_pipeline,
+            f.by_pipeline ? "asked for, or the device has no ray query" : "the ray query does its work");
+        add("image", true, "sum of samples, their number, and the tone-mapped picture");
+        add("layers", false, "depth, normals, uv and id are traced only when asked for");
+        add("picking", false, "compiled at the first pick");
+        add("counters", false, "what rays cost is counted only when asked for");
+        add("ray log", false, "compiled when the first ray is asked about");
+        add("upload staging", false, "made at the first edit, as large as the edit");
+    }
+
+    FeatureReport take() { return std::move(report_); }
+
+  private:
+    const Scene& scene_;
+    const FeatureRequest& request_;
+    const Features& features_;
+    std::string method_;
+    FeatureReport report_;
+};
+
+}  // namespace
+
+FeatureReport describe_features(const Scene& scene, const FeatureRequest& request, const Features& features,
+                                const std::map<std::string, double>& parameters) {
+    Describer list(scene, request, features);
+    list.geometry();
+    list.shading();
+    list.switches(parameters);
+    list.passes();
+    return list.take();
 }
 
 }  // namespace relievo

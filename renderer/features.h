@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,9 @@ struct FeatureRequest {
 
 Features derive_features(const Scene& scene, const FeatureRequest& request);
 
-// The same decisions in words, in a fixed order. Bytes are filled in by the renderer.
-FeatureReport describe_features(const Scene& scene, const FeatureRequest& request, const Features& features);
+// The same decisions in words, in a fixed order. `parameters`: the method's, all of them. Bytes, and what is built only
+// once it is asked for, are filled in by the renderer.
+FeatureReport describe_features(const Scene& scene, const FeatureRequest& request, const Features& features,
+                                const std::map<std::string, double>& parameters);
 
 }  // namespace relievo

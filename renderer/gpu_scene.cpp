@@ -105,6 +105,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         data.clamp_wrap = objects_[i].wrap == Wrap::clamp ? 1 : 0;
         set_material(i, scene.objects[i].material);
     }
+    staging_ = {};  // as large as the largest map; edits are smaller
 }
 
 void GpuScene::add_object(const SceneObject& description, const HeightView& map, const Features& features,

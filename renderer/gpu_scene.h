@@ -39,6 +39,7 @@ class GpuScene {
     std::uint64_t map_bytes() const;
     std::uint64_t opacity_bytes() const;
     std::uint64_t pyramid_bytes() const;
+    std::uint64_t staging_bytes() const { return staging_.bytes(); }  // since the first edit; 0 before
 
   private:
     struct Object {

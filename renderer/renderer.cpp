@@ -71,7 +71,7 @@ struct Renderer::State {
     FeatureReport report;
     std::vector<HeightView> maps;  // as last uploaded: another method may need other structures over them
     int samples = 0;
-    bool aov_is_fresh = false, counts_are_fresh = false, picked = false;
+    bool aov_is_fresh = false, counts_are_fresh = false;
 
     State(vulkan::Context& c, const Scene& s, const RenderSettings& r)
         : context(c), commands(c), clock(c), scene(s), settings(r), method(&find_method(r.method)),
@@ -91,6 +91,8 @@ struct Renderer::State {
     void write_own_bindings();
     void run(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
     void run_unjittered(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
+    void make_pick_buffers();  // at the first pick
+    bool has_pick_buffers() const { return pick_rays.bytes() >= kPickBatch * sizeof(gpu::PickRay); }
     bool has_notes() const { return notes.bytes() >= kNotesBytes; }
     void count_bytes();
     void restart();
@@ -106,11 +108,8 @@ void Renderer::State::build() {
     build_scene();
     film = Film(context, commands, settings.width, settings.height);
     frame = vulkan::Buffer(context, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Access::host);
-    pick_rays = vulkan::Buffer(context, kPickBatch * sizeof(gpu::PickRay), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                               vulkan::Access::host);
-    pick_results = vulkan::Buffer(context, kPickBatch * sizeof(gpu::PickResult), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                  vulkan::Access::host);
-    notes = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
+    for (vulkan::Buffer* buffer : {&pick_rays, &pick_results, &notes})
+        *buffer = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
     frame_data() = {};
     frame_data().object_count = static_cast<std::uint32_t>(scene.objects.size());
     fill_view(frame_data(), scene.camera, scene.origin, settings.width, settings.height);
@@ -118,6 +117,16 @@ void Renderer::State::build() {
     make_set();
     make_passes();
     apply_parameters();
+}
+
+void Renderer::State::make_pick_buffers() {
+    if (has_pick_buffers()) return;
+    const auto make = [&](std::size_t item) {
+        return vulkan::Buffer(context, kPickBatch * item, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
+    };
+    pick_rays = make(sizeof(gpu::PickRay));
+    pick_results = make(sizeof(gpu::PickResult));
+    write_own_bindings();
 }
 
 void Renderer::State::make_set() {
@@ -201,7 +210,7 @@ void Renderer::State::restart() {
 }
 
 void Renderer::State::count_bytes() {
-    report = describe_features(scene, request, features);
+    report = describe_features(scene, request, features, parameters);
     for (Feature& f : report.features) {
         if (f.name == "base mesh prisms") f.bytes = gpu_scene->primitive_bytes();
         if (f.name == "displacement maps") f.bytes = gpu_scene->map_bytes();
@@ -213,7 +222,7 @@ void Renderer::State::count_bytes() {
             f.reason = "layers were asked for";
             f.bytes = film.aov_bytes();
         }
-        if (f.name == "picking" && picked) {
+        if (f.name == "picking" && has_pick_buffers()) {
             f.built = true;
             f.reason = "rays were picked";
             f.bytes = pick_rays.bytes() + pick_results.bytes();
@@ -227,6 +236,11 @@ void Renderer::State::count_bytes() {
             f.built = true;
             f.reason = "a ray was logged";
             f.bytes = notes.bytes();
+        }
+        if (f.name == "upload staging" && gpu_scene->staging_bytes() > 0) {
+            f.built = true;
+            f.reason = "the map was edited";
+            f.bytes = gpu_scene->staging_bytes();
         }
         report.bytes_total += f.bytes;
     }
@@ -395,6 +409,7 @@ std::vector<std::uint8_t> Renderer::read_back_display() {
 std::vector<PickHit> Renderer::pick(std::span<const Ray> rays) {
     State& s = *state_;
     std::vector<PickHit> hits(rays.size());
+    if (!rays.empty()) s.make_pick_buffers();
     for (std::size_t first = 0; first < rays.size(); first += kPickBatch) {
         const std::size_t count = std::min(kPickBatch, rays.size() - first);
         auto* to = s.pick_rays.as<gpu::PickRay>();
@@ -418,12 +433,12 @@ std::vector<PickHit> Renderer::pick(std::span<const Ray> rays) {
             hit.position = to[i].origin + to[i].direction * from[i].t;
         }
     }
-    s.picked = s.picked || !rays.empty();
     return hits;
 }
 
 TraceLog Renderer::trace_notes(const Ray& ray) {
     State& s = *state_;
+    s.make_pick_buffers();
     if (!s.has_notes()) {
         s.notes = vulkan::Buffer(s.context, kNotesBytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
         s.write_own_bindings();

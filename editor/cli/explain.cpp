@@ -6,10 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "editor/cli/verbs.h"
+#include "editor/session/text.h"
 #include "renderer/features.h"
+#include "renderer/vulkan/context.h"
 
 namespace relievo {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct ExplainOptions {
     std::string scene;
@@ -17,30 +21,99 @@ struct ExplainOptions {
     MethodOptions method;
 };
 
-void print_json(const FeatureReport& report) {
-    nlohmann::ordered_json features = nlohmann::ordered_json::array();
-    for (const Feature& feature : report.features)
+// What the report is about.
+struct Subject {
+    const Session& session;
+    const Method& method;
+    std::map<std::string, double> parameters;
+    const vulkan::DeviceInfo& device;
+    const FeatureReport& report;
+
+    bool builds(std::string_view name) const {
+        for (const Feature& feature : report.features)
+            if (feature.name == name) return feature.built;
+        return false;
+    }
+};
+
+Json objects_json(const Subject& subject) {
+    Json objects = Json::array();
+    for (const SceneObject& object : subject.session.scene().objects) {
+        Json one{{"mesh", object.mesh_path.string()}, {"triangles", object.mesh.faces.size()}};
+        one["map"] = object.displacement.map.empty() ? Json(nullptr) : Json(object.displacement.map.string());
+        one["opacity_map"] = object.opacity_map.empty() ? Json(nullptr) : Json(object.opacity_map.string());
+        objects.push_back(std::move(one));
+    }
+    return objects;
+}
+
+void print_json(const Subject& subject) {
+    Json features = Json::array();
+    for (const Feature& feature : subject.report.features)
         features.push_back({{"name", feature.name},
                             {"built", feature.built},
                             {"reason", feature.reason},
                             {"bytes", feature.bytes}});
-    std::cout << nlohmann::ordered_json{{"features", features}, {"bytes_total", report.bytes_total}}.dump(2)
+    std::cout << Json{{"scene", subject.session.scene().path.string()},
+                      {"method", subject.method.name},
+                      {"parameters", subject.parameters},
+                      {"device", subject.device.name},
+                      {"path", subject.builds("ray query") ? "ray-query" : "pipeline"},
+                      {"objects", objects_json(subject)},
+                      {"features", features},
+                      {"bytes_total", subject.report.bytes_total}}
+                     .dump(2)
               << "\n";
 }
 
-void print_text(const FeatureReport& report) {
-    for (const Feature& feature : report.features)
-        std::printf("%-9s %-28s %12llu bytes  %s\n", feature.built ? "built" : "left out",
-                    feature.name.c_str(), static_cast<unsigned long long>(feature.bytes),
-                    feature.reason.c_str());
-    std::printf("%-9s %-28s %12llu bytes\n", "total", "",
-                static_cast<unsigned long long>(report.bytes_total));
+std::string method_line(const Subject& subject) {
+    std::string line = std::string(subject.method.name) + " (" + std::string(subject.method.title) + ")";
+    const char* before = ": ";
+    for (const MethodParameter& parameter : subject.method.parameters) {
+        const double value = subject.parameters.at(std::string(parameter.name));
+        line += before + std::string(parameter.name) + " " +
+                (parameter.is_switch ? (value > 0.5 ? "on" : "off") : number_text(value));
+        before = ", ";
+    }
+    return line;
+}
+
+void print_part(const FeatureReport& report, bool built) {
+    std::printf("\n%s\n", built ? "built" : "left out");
+    for (const Feature& feature : report.features) {
+        if (feature.built != built) continue;
+        const std::string bytes = feature.bytes > 0 ? bytes_text(feature.bytes) : "";
+        std::printf("  %-22s %9s   %s\n", feature.name.c_str(), bytes.c_str(), feature.reason.c_str());
+    }
+}
+
+void print_text(const Subject& subject) {
+    const Scene& scene = subject.session.scene();
+    const HeightMap& map = subject.session.map();
+    std::printf("scene   %s\n", scene.path.string().c_str());
+    std::printf("method  %s\n", method_line(subject).c_str());
+    std::printf("device  %s\n", subject.device.name.c_str());
+    for (const SceneObject& object : scene.objects) {
+        const bool edited = &object == &scene.objects.front();
+        const std::string size =
+            edited ? ", map of " + std::to_string(map.width()) + " x " + std::to_string(map.height()) : "";
+        std::printf("object  %s: %zu triangles%s\n", object.mesh_path.filename().string().c_str(),
+                    object.mesh.faces.size(), size.c_str());
+    }
+    print_part(subject.report, true);
+    std::printf("  %-22s %9s   of device memory\n", "together",
+                bytes_text(subject.report.bytes_total).c_str());
+    print_part(subject.report, false);
 }
 
 int run_explain(const ExplainOptions& options) {
     Session session(options.scene, session_options(options.common, options.method));
-    const FeatureReport& report = session.renderer().features();
-    options.common.json ? print_json(report) : print_text(report);
+    for (const std::string& warning : session.scene().warnings) std::cerr << "warning: " << warning << "\n";
+    const MethodChoice& choice = session.scene().method;
+    const Method& method = find_method(choice.name);
+    const Subject subject{session, method, resolve_parameters(method, choice.parameters),
+                          session.context().info(), session.renderer().features()};
+    options.common.json ? print_json(subject) : print_text(subject);
     return 0;
 }
 

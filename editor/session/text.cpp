@@ -2,6 +2,7 @@
 #include "editor/session/text.h"
 
 #include <charconv>
+#include <cstdio>
 
 namespace relievo {
 
@@ -18,6 +19,20 @@ std::string range_text(double low, double high) {
     if (high >= kUnbounded && low <= -kUnbounded) return "finite";
     if (high >= kUnbounded) return "at least " + number_text(low);
     return "in [" + number_text(low) + ", " + number_text(high) + "]";
+}
+
+std::string bytes_text(std::uint64_t bytes) {
+    const double size = static_cast<double>(bytes);
+    char text[40];
+    if (size < 1e3)
+        std::snprintf(text, sizeof text, "%.0f bytes", size);
+    else if (size < 1e6)
+        std::snprintf(text, sizeof text, "%.0f kB", size * 1e-3);
+    else if (size < 1e9)
+        std::snprintf(text, sizeof text, "%.1f MB", size * 1e-6);
+    else
+        std::snprintf(text, sizeof text, "%.1f GB", size * 1e-9);
+    return text;
 }
 
 }  // namespace relievo

@@ -1,6 +1,7 @@
 // Small wordings that messages share.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace relievo {
@@ -10,5 +11,7 @@ std::string number_text(double value);
 
 // "in [0, 1]", or "at least 1" where the upper bound is beyond any sensible value.
 std::string range_text(double low, double high);
+
+std::string bytes_text(std::uint64_t bytes);  // "640 bytes", "383 kB", "9.8 MB", "1.2 GB"
 
 }  // namespace relievo

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "editor/session/image_file.h"
 #include "editor/session/journal.h"
@@ -63,7 +64,8 @@ TEST_F(Program, EveryVerbHasHelp) {
 }
 
 TEST_F(Program, WrongUsageIsOneLine) {
-    expect_refused({"rendr"}, "\"rendr\" is not a verb; known are edit, render, replay, compare, explain, devices");
+    expect_refused({"rendr"},
+                   "\"rendr\" is not a verb; known are edit, render, replay, compare, explain, devices");
     expect_refused({"render"}, "SCENE");
     expect_refused({"render", scene_}, "--output is required");
     expect_refused({"render", scene_, "-o", path("a.png"), "--quick"}, "--quick");
@@ -225,12 +227,41 @@ TEST_F(Program, TheReferenceRendersWithoutADevice) {
     EXPECT_FALSE(std::filesystem::exists(path("b.exr")));
 }
 
-TEST_F(Program, ExplainAnswersInTextAndJson) {
+TEST_F(Program, ExplainSaysWhatIsBuiltAndWhyInText) {
     if (!test::have_device()) GTEST_SKIP() << "no Vulkan device with ray tracing";
-    EXPECT_EQ(run_program({"explain", scene_}).status, 0);
-    const Outcome outcome = run_program({"explain", scene_, "--json"});
+    const Outcome outcome = run_program({"explain", scene_, "--method", "pdm", "--set", "dt=0.01"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    for (const char* text : {"method  pdm (Projective displacement mapping): dt 0.01, jitter on",
+                             "sheet.obj: 128 triangles, map of 64 x 64", "\nbuilt\n", "\nleft out\n", " kB",
+                             "of device memory", "method pdm samples heights"})
+        EXPECT_NE(outcome.out.find(text), std::string::npos) << text << "\n" << outcome.out;
+    // Reasons stand in one column.
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("  ")) continue;
+        ASSERT_GT(line.size(), 37u) << line;
+        EXPECT_EQ(line.substr(34, 3), "   ") << line;
+        EXPECT_NE(line[37], ' ') << line;
+    }
+}
+
+TEST_F(Program, ExplainAnswersInJson) {
+    if (!test::have_device()) GTEST_SKIP() << "no Vulkan device with ray tracing";
+    const Outcome outcome = run_program({"explain", scene_, "--method", "exact", "--json"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_FALSE(nlohmann::json::parse(outcome.out)["features"].empty());
+    const auto answer = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(answer["method"], "exact");
+    EXPECT_EQ(answer["parameters"]["correct_normals"], 1);
+    EXPECT_FALSE(answer["device"].empty());
+    EXPECT_EQ(answer["objects"][0]["triangles"], 128);
+    std::uint64_t sum = 0;
+    for (const auto& feature : answer["features"]) {
+        EXPECT_FALSE(feature["reason"].empty()) << feature["name"];
+        sum += feature["bytes"].get<std::uint64_t>();
+        if (feature["name"] == "min-max pyramid") EXPECT_TRUE(feature["built"]);
+    }
+    EXPECT_EQ(answer["bytes_total"], sum);
+    expect_refused({"explain", scene_, "--method", "reference"}, "there is no method 'reference'");
 }
 
 TEST_F(Program, AJournalRendersAndComparesPictures) {

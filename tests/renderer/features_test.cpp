@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -12,6 +13,27 @@ namespace relievo::test {
 namespace {
 
 FeatureRequest request_of(bool everything = false) { return {&find_method("pdm"), everything, false, false}; }
+
+std::set<std::string> built_by(const Scene& scene, const Method& method) {
+    const FeatureRequest request{&method, false, false, false};
+    std::set<std::string> built;
+    for (const Feature& f :
+         describe_features(scene, request, derive_features(scene, request), resolve_parameters(method, {})).features)
+        if (f.built) built.insert(f.name);
+    return built;
+}
+
+// What a method's description asks for.
+std::set<std::string> needs_of(const Method& method) {
+    std::set<std::string> needs;
+    if (method.needs_pyramid) needs.insert("min-max pyramid");
+    if (method.geometry == GeometryKind::surface_bounds) needs.insert("surface bounds");
+    for (const MethodParameter& p : method.parameters) {
+        if (p.name == "jitter" && p.standard > 0.5) needs.insert("thin-feature jitter");
+        if (p.name == "correct_normals" && p.standard > 0.5) needs.insert("normal correction");
+    }
+    return needs;
+}
 
 TEST(Features, AnOpaqueMatteSceneLeavesOutOpacityAndGloss) {
     Scene scene = make_scene(plane_mesh(), 0.2);
@@ -35,22 +57,61 @@ TEST(Features, ADarkSceneTracesNoShadows) {
     EXPECT_TRUE(derive_features(scene, request_of(true)).shadows);
 }
 
-// What each sample scene builds, by name; all else is left out.
+// What each sample scene builds by each method, by name; all else is left out.
 TEST(Features, SampleScenesBuildWhatTheyNeed) {
-    const std::vector<std::string> usual{"base mesh prisms", "displacement maps", "height bounds", "shadows",
-                                         "sky light",        "gloss",             "ray query",     "image"};
-    for (const char* name : {"plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot", "fur"}) {
-        for (const char* method : {"pdm", "exact"}) {
-            const Scene scene = load_scene(std::string(RELIEVO_SAMPLE_SCENES) + "/" + name + ".json");
-            std::set<std::string> expected(usual.begin(), usual.end());
-            if (std::string(name) == "chainmail") expected.insert("opacity maps");
-            if (std::string(method) == "exact") expected.insert("min-max pyramid");
-            const FeatureRequest request{&find_method(method), false, false, false};
-            std::set<std::string> built;
-            for (const Feature& f : describe_features(scene, request, derive_features(scene, request)).features)
-                if (f.built) built.insert(f.name);
-            EXPECT_EQ(built, expected) << name << " by " << method;
+    const std::set<std::string> usual{"base mesh prisms", "displacement maps", "height bounds", "shadows", "sky light",
+                                      "gloss",            "ray query",         "image"};
+    const std::map<std::string, std::set<std::string>> by_scene{
+        {"plane", {}}, {"asteroid", {}}, {"chainmail", {"opacity maps"}}, {"leather", {}},
+        {"orb", {}},   {"stump", {}},    {"knot", {}},                    {"fur", {}}};
+    const std::map<std::string, std::set<std::string>> by_method{
+        {"pdm", {"thin-feature jitter", "normal correction"}},
+        {"exact", {"min-max pyramid", "surface bounds", "normal correction"}}};
+    for (const auto& [name, scene_needs] : by_scene) {
+        const Scene scene = load_scene(std::string(RELIEVO_SAMPLE_SCENES) + "/" + name + ".json");
+        for (const auto& [method, method_needs] : by_method) {
+            std::set<std::string> expected = usual;
+            expected.insert(scene_needs.begin(), scene_needs.end());
+            expected.insert(method_needs.begin(), method_needs.end());
+            EXPECT_EQ(built_by(scene, find_method(method)), expected) << name << " by " << method;
+            EXPECT_EQ(method_needs, needs_of(find_method(method))) << method;
         }
+        for (const Method* method : methods()) {  // also those that the table does not name
+            std::set<std::string> expected = usual;
+            expected.insert(scene_needs.begin(), scene_needs.end());
+            expected.merge(needs_of(*method));
+            EXPECT_EQ(built_by(scene, *method), expected) << name << " by " << method->name;
+        }
+    }
+}
+
+TEST(Features, SwitchesThatAreOffAreLeftOut) {
+    const Scene scene = make_scene(plane_mesh(), 0.2);
+    const FeatureRequest request = request_of();
+    const FeatureReport report = describe_features(scene, request, derive_features(scene, request),
+                                                   {{"dt", 0.01}, {"jitter", 0}, {"correct_normals", 1}});
+    for (const Feature& f : report.features) {
+        if (f.name == "thin-feature jitter") {
+            EXPECT_FALSE(f.built);
+            EXPECT_EQ(f.reason, "jitter is off: what is thinner than a step can be missed for good");
+        }
+        if (f.name == "normal correction") EXPECT_TRUE(f.built);
+    }
+}
+
+TEST(Features, EverythingIsBuiltWhenItIsAskedFor) {
+    Scene scene = make_scene(plane_mesh(), 0.2);
+    scene.objects[0].material.specular = 0;
+    scene.lights.clear();
+    scene.environment.intensity = 0;
+    const FeatureRequest request = request_of(true);
+    const FeatureReport report =
+        describe_features(scene, request, derive_features(scene, request), resolve_parameters(*request.method, {}));
+    for (const Feature& f : report.features) {
+        const std::set<std::string> named{"shadows", "sky light", "gloss", "opacity maps", "min-max pyramid"};
+        if (!named.contains(f.name)) continue;
+        EXPECT_TRUE(f.built) << f.name;
+        EXPECT_EQ(f.reason, "everything was asked for") << f.name;
     }
 }
 
@@ -58,8 +119,9 @@ TEST(Features, EachFeatureHasAReason) {
     const Scene scene = make_scene(plane_mesh(), 0.2);
     for (const bool everything : {false, true}) {
         const FeatureRequest request = request_of(everything);
-        const auto report = describe_features(scene, request, derive_features(scene, request));
-        EXPECT_GE(report.features.size(), 12u);
+        const auto report = describe_features(scene, request, derive_features(scene, request),
+                                              resolve_parameters(*request.method, {}));
+        EXPECT_GE(report.features.size(), 20u);
         for (const Feature& f : report.features) EXPECT_FALSE(f.reason.empty()) << f.name;
     }
 }

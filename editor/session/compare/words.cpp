@@ -33,12 +33,6 @@ std::string ms_text(double ms) {
     return text_of(size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : "%.2f", ms);
 }
 
-std::string bytes_text(std::uint64_t bytes) {
-    const double size = static_cast<double>(bytes);
-    if (size >= 1e6) return text_of("%.1f MB", size * 1e-6);
-    return text_of("%.0f kB", size * 1e-3);
-}
-
 std::string ratio_text(double ratio) {
     return ratio > 0 ? text_of(ratio >= 10 ? "%.1f" : "%.2f", ratio) : "-";
 }

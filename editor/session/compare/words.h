@@ -1,17 +1,16 @@
 // How the report's tables word numbers.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "editor/session/compare/result.h"
+#include "editor/session/text.h"
 
 namespace relievo {
 
 std::string error_text(double error);           // "3.4e-6", "0.18", "0"
 std::string count_text(double count);           // "3.2", "120"
 std::string ms_text(double ms);                 // "0.42", "12.3", "845"
-std::string bytes_text(std::uint64_t bytes);    // "3.2 MB"
 std::string ratio_text(double ratio);           // "0.93", "-" for 0
 std::string percent_text(double share);         // "0.4%"
 std::string spread_text(const Spread& spread);  // "12.3 (12.1 to 13.0)"
