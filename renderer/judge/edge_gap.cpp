@@ -2,9 +2,11 @@
 #include "renderer/judge/edge_gap.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <thread>
 
 #include "renderer/scene/mesh_topology.h"
 
@@ -13,10 +15,11 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kHair = 1e-4;  // of the way from the edge to the opposite corner
-constexpr double kWide = 1e-3;  // of the unit
-constexpr double kLeak = 1e-2;  // of the unit
-constexpr double kLeastCosine = 0.35;
+constexpr double kHair = 1e-4;   // of the way from the edge to the opposite corner
+constexpr double kWide = 1e-3;   // of the unit
+constexpr double kLeak = 1e-2;   // of the unit
+constexpr double kClose = 0.01;  // as kHair: where the surface must be seen as well
+constexpr double kLeastCosine = 0.25;
 // The edge is neared in stages, each starting from what the one before learned.
 constexpr double kInsets[] = {0.2, 0.2, 0.06, 0.06, 0.02, 0.02, 0.005, 0.005};
 constexpr double kNear = 0.07;  // a reading within it tells of the edge
@@ -73,25 +76,27 @@ EdgeProbe::EdgeProbe(const ReferenceSurface& surface, const Scene& scene, int po
     }
     if (inner.empty()) return;
     const auto wanted = static_cast<std::size_t>(points);
+    std::vector<Place> places;
     for (std::size_t k = 0; k < wanted; ++k) {
         // Spread over the edges; several on one where there are few.
         const std::size_t i = inner.size() >= wanted ? k * inner.size() / wanted : k % inner.size();
         const int round = static_cast<int>(k / inner.size());
         const MeshTopology& topology = topologies[inner[i].object];
         const MeshEdge& edge = topology.edges[inner[i].edge];
-        add_place(scene, inner[i].object, units[inner[i].object].length, edge, topology.sides_of(edge),
-                  0.1 + 0.8 * scatter(i, round));
+        places.push_back(place_on(scene.objects[inner[i].object].mesh, edge, topology.sides_of(edge),
+                                  0.1 + 0.8 * scatter(i, round)));
+        places.back().object = inner[i].object;
+        places.back().unit = units[inner[i].object].length;
+        places.back().distance += 3 * places.back().unit;
     }
+    keep_seen(std::move(places));
 }
 
-void EdgeProbe::add_place(const Scene& scene, std::uint32_t object, double unit, const MeshEdge& edge,
-                          std::span<const EdgeSide> sides, double fraction) {
-    const Mesh& mesh = scene.objects[object].mesh;
+EdgeProbe::Place EdgeProbe::place_on(const Mesh& mesh, const MeshEdge& edge, std::span<const EdgeSide> sides,
+                                     double fraction) {
     Place place;
-    place.object = object;
-    place.unit = unit;
     const dvec3 p0(mesh.positions[edge.p0]), p1(mesh.positions[edge.p1]);
-    place.distance = 3 * unit + glm::length(p1 - p0);
+    place.distance = glm::length(p1 - p0);
     for (std::size_t k = 0; k < 2; ++k) {
         Side& side = place.sides[k];
         side.face = sides[k].face;
@@ -102,7 +107,7 @@ void EdgeProbe::add_place(const Scene& scene, std::uint32_t object, double unit,
         side.weights[corner] = forward ? 1 - fraction : fraction;
         side.weights[next] = forward ? fraction : 1 - fraction;
     }
-    if (choose_view(place)) places_.push_back(place);
+    return place;
 }
 
 ReferencePoint EdgeProbe::at(const Place& place, const Side& side, double inset) const {
@@ -120,38 +125,54 @@ bool EdgeProbe::sees(const Place& place, const Side& side, double inset) const {
     const ReferencePoint point = at(place, side, inset);
     if (!(glm::dot(point.normal, place.outwards) > kLeastCosine)) return false;
     const ReferenceRay ray = aim(place, point.position);
-    const auto hit =
-        surface_.first_hit(ray.origin, ray.direction, 0, std::numeric_limits<double>::infinity());
-    return hit && std::abs(hit->t * glm::length(ray.direction) - place.distance) < kWide * place.unit;
+    const double length = glm::length(ray.direction), slack = kWide * place.unit;
+    // What lies behind the point is of no interest.
+    const auto hit = surface_.first_hit(ray.origin, ray.direction, 0, (place.distance + slack) / length);
+    return hit && std::abs(hit->t * length - place.distance) < slack;
 }
 
 bool EdgeProbe::choose_view(Place& place) const {
     const dvec3 a = at(place, place.sides[0], kHair).normal, b = at(place, place.sides[1], kHair).normal;
-    const dvec3 sum = a + b;
-    if (!(glm::length(sum) > 0.1)) return false;
-    const dvec3 middle = glm::normalize(sum);
+    const dvec3 middle = a + b;
+    if (!(glm::length(middle) > 0.1)) return false;
     const dvec3 across =
         glm::normalize(glm::cross(middle, std::abs(middle.x) < 0.7 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
-    const dvec3 tilts[] = {dvec3(0), 0.4 * across, -0.4 * across, 0.4 * glm::cross(middle, across),
-                           -0.4 * glm::cross(middle, across)};
+    const dvec3 views[] = {middle, middle + 0.8 * across, middle - 0.8 * across,
+                           middle + glm::cross(middle, across), middle - glm::cross(middle, across)};
     const double far = place.distance;
-    for (const double distance : {far, far / 4, far / 16}) {
-        for (const dvec3& tilt : tilts) {
-            place.distance = distance;
-            place.outwards = glm::normalize(middle + tilt);
-            bool seen = true;
+    for (const double distance : {far, far / 8, far / 64}) {
+        place.distance = distance;
+        for (const dvec3& view : views) {
+            place.outwards = glm::normalize(view);
+            const auto seen = [&](const Side& side) {
+                return sees(place, side, kHair) && sees(place, side, kClose);
+            };
+            if (!seen(place.sides[0]) || !seen(place.sides[1])) continue;
             for (Side& side : place.sides) {
-                for (const double inset : {kHair, 0.02, 0.06}) seen = seen && sees(place, side, inset);
-                if (!seen) break;
                 side.straight = aim(place, at(place, side, kHair).position);
                 const auto hit = surface_.first_hit(side.straight.origin, side.straight.direction, 0,
                                                     std::numeric_limits<double>::infinity());
                 side.straight_depth = hit ? hit->t : std::numeric_limits<double>::infinity();
             }
-            if (seen) return true;
+            return true;
         }
     }
     return false;
+}
+
+// Keeps the places that have a view. Where texels hide most of the surface, many have none.
+void EdgeProbe::keep_seen(std::vector<Place> places) {
+    std::vector<char> seen(places.size());
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+        for (std::size_t i = next++; i < places.size(); i = next++) seen[i] = choose_view(places[i]);
+    };
+    std::vector<std::thread> helpers;
+    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) helpers.emplace_back(work);
+    work();
+    for (std::thread& helper : helpers) helper.join();
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (seen[i]) places_.push_back(places[i]);
 }
 
 // Aims at where the method should show the places at `inset`, by what is known of its errors, and reads them

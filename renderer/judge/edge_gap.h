@@ -58,15 +58,16 @@ class EdgeProbe {
         double straight_depth;          // of the reference
     };
     struct Place {
-        std::uint32_t object;
-        double unit, distance;   // from where rays start to the surface
-        glm::dvec3 outwards{0};  // rays run against it
+        std::uint32_t object = 0;
+        double unit = 1, distance = 0;  // from where rays start to the surface
+        glm::dvec3 outwards{0};         // rays run against it
         std::array<Side, 2> sides;
     };
     struct Reading;  // of a side, while it is measured
 
-    void add_place(const Scene& scene, std::uint32_t object, double unit, const struct MeshEdge& edge,
-                   std::span<const struct EdgeSide> sides, double fraction);
+    static Place place_on(const Mesh& mesh, const struct MeshEdge& edge,
+                          std::span<const struct EdgeSide> sides, double fraction);
+    void keep_seen(std::vector<Place> places);
     bool choose_view(Place& place) const;
     bool sees(const Place& place, const Side& side, double inset) const;
     ReferencePoint at(const Place& place, const Side& side, double inset) const;

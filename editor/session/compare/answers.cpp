@@ -10,8 +10,9 @@
 namespace relievo {
 namespace {
 
-constexpr double kKept = 1e-3;   // the depth error asked for, over the unit
-constexpr double kEqual = 0.99;  // an error above this part of another is no better
+constexpr double kKept = 1e-3;      // the depth error asked for, over the unit
+constexpr double kFewWrong = 1e-3;  // share of the pixels
+constexpr double kEqual = 0.99;     // an error above this part of another is no better
 
 double at(const std::vector<double>& sorted, double part) {
     const double place = part * static_cast<double>(sorted.size() - 1);
@@ -49,7 +50,9 @@ Spread spread_of(std::vector<double> values) {
 
 std::size_t most_exact_point(const std::vector<ComparedPoint>& points) {
     const auto key = [](const ComparedPoint& p) {
-        return std::tuple(p.wrong() + p.errors.off, p.errors.depth.p999, p.errors.depth.p99);
+        const double pixels = std::max(1, p.errors.both + p.wrong());
+        return std::tuple(std::floor((p.wrong() + p.errors.off) / (kFewWrong * pixels)), p.errors.depth.p999,
+                          p.errors.depth.p99);
     };
     const auto best = std::min_element(points.begin(), points.end(),
                                        [&](const auto& a, const auto& b) { return key(a) < key(b); });

@@ -8,7 +8,8 @@
 
 namespace relievo {
 
-// Fewest wrong or far-off pixels, then the least p99.9 and p99 depth error. At least one point.
+// Fewest wrong or far-off pixels, in thousandths of all, then the least p99.9 and p99 depth error. At least
+// one point.
 std::size_t most_exact_point(const std::vector<ComparedPoint>& points);
 
 // The coarsest of a method's points whose p99.9 depth error is within a hundredth of its least; null: it has

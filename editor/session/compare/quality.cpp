@@ -12,7 +12,7 @@ namespace relievo {
 namespace {
 
 constexpr int kBeautySamples = 2;
-constexpr int kMostExamined = 100;  // wrong pixels whose neighbouring rays are asked for an excuse
+constexpr int kMostExamined = 50;  // wrong pixels whose neighbouring rays are asked for an excuse
 
 ReferenceImage reference_image(const ReferenceScene& scene, int width, int height) {
     return trace_image(scene.surface(), scene.scene().camera, scene.scene().origin, width, height);

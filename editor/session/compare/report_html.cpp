@@ -147,8 +147,8 @@ constexpr const char* kReading = R"(<details><summary>How to read this</summary>
 <p>The judge is a double-precision reference that bounds and never samples. <b>Missed</b> and <b>invented</b> are pixels
 where only the reference, or only the method, hits; those at silhouettes (within two pixels of a tear of the reference's
 image) stand small. <b>Depth errors</b> are over the displacement's amplitude. <b>Unexplained</b> are pixels off by more
-than 1% whose answer no ray of the reference within 0.002 pixels gives either (where many are wrong, estimated from a
-hundred). The <b>gap along edges</b> is how far apart the two triangles of an edge put the same point of it; a
+than 1% whose answer no ray of the reference within 0.002 pixels gives either (where many are wrong, estimated from
+fifty). The <b>gap along edges</b> is how far apart the two triangles of an edge put the same point of it; a
 <b>leak</b> is a ray straight at an edge that misses or hits elsewhere. <b>RMSE</b> (linear RGB) and <b>1 - SSIM</b>
 (structural similarity of the displayed luma) compare the beauty with that of the scene's most exact point.</p>
 <p>A frame of <b>primary rays</b> is one ray through each pixel's centre, with its normals; <b>with hard shadows</b> is
