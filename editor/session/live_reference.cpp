@@ -59,8 +59,8 @@ bool LiveReference::Frame::operator==(const Frame& other) const {
            height == other.height;
 }
 
-LiveReference::LiveReference(const Session& session, std::function<void()> on_news)
-    : session_(&session), on_news_(std::move(on_news)) {}
+LiveReference::LiveReference(const Session& session, std::function<void()> on_news, unsigned threads)
+    : session_(&session), on_news_(std::move(on_news)), threads_(threads) {}
 
 LiveReference::~LiveReference() = default;
 
@@ -76,7 +76,7 @@ bool LiveReference::is_current(int width, int height) const {
 
 // Takes a copy of what edits change, when it has changed; a picture of the old surface is given up then.
 void LiveReference::refresh_snapshot() {
-    if (!workers_) workers_ = std::make_unique<ReferenceWorkers>(on_news_);
+    if (!workers_) workers_ = std::make_unique<ReferenceWorkers>(on_news_, threads_);
     if (snapshot_is_current()) return;
     stop();
     snapshot_ = take_snapshot(*session_);

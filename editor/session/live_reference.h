@@ -65,8 +65,8 @@ class ReferenceWorkers;
 class LiveReference {
   public:
     // `on_news` is called from other threads when there is something to take; `session` outlives this object,
-    // and has a renderer.
-    LiveReference(const Session& session, std::function<void()> on_news);
+    // and has a renderer where its scene has several objects. `threads`: 0 leaves one core to the interface.
+    LiveReference(const Session& session, std::function<void()> on_news, unsigned threads = 0);
     ~LiveReference();  // waits for the rays under way
     LiveReference(const LiveReference&) = delete;
     LiveReference& operator=(const LiveReference&) = delete;
@@ -99,6 +99,7 @@ class LiveReference {
 
     const Session* session_;
     std::function<void()> on_news_;
+    unsigned threads_;
     std::shared_ptr<const ReferenceSnapshot> snapshot_;
     struct Frame {
         Camera camera;

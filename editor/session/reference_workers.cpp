@@ -21,7 +21,8 @@ void be_patient() {
     setpriority(PRIO_PROCESS, 0, kLessUrgent);
 }
 
-unsigned helper_count() {
+unsigned helper_count(unsigned threads) {
+    if (threads > 0) return threads - 1;
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     return cores > 2 ? cores - 2 : 0;
 }
@@ -45,8 +46,8 @@ std::shared_ptr<const ReferenceSnapshot> take_snapshot(const Session& session) {
     return snapshot;
 }
 
-ReferenceWorkers::ReferenceWorkers(std::function<void()> on_news)
-    : on_news_(std::move(on_news)), thread_([this] { run(); }) {}
+ReferenceWorkers::ReferenceWorkers(std::function<void()> on_news, unsigned threads)
+    : on_news_(std::move(on_news)), helpers_(helper_count(threads)), thread_([this] { run(); }) {}
 
 ReferenceWorkers::~ReferenceWorkers() {
     {
@@ -167,7 +168,7 @@ void ReferenceWorkers::trace(const ReferenceJob& job, std::uint64_t number) {
     const std::vector<Place> all = places(job.width, job.height);
     std::atomic<std::size_t> next{0};
     std::vector<std::thread> helpers;
-    for (unsigned i = 0; i < helper_count(); ++i)
+    for (unsigned i = 0; i < helpers_; ++i)
         helpers.emplace_back([&] {
             be_patient();
             try {

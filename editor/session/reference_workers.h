@@ -33,7 +33,7 @@ struct ReferenceJob {
 
 class ReferenceWorkers {
   public:
-    explicit ReferenceWorkers(std::function<void()> on_news);
+    ReferenceWorkers(std::function<void()> on_news, unsigned threads);
     ~ReferenceWorkers();
 
     std::size_t start(ReferenceJob job);  // in place of the one under way; how many strips it will give
@@ -69,7 +69,8 @@ class ReferenceWorkers {
     void tell_of_strips();
 
     std::function<void()> on_news_;
-    Built built_;  // of the first thread
+    unsigned helpers_;  // beside the first thread, while a picture is traced
+    Built built_;       // of the first thread
     std::atomic<std::uint64_t> job_number_{0};
     std::atomic<bool> asked_{false};
     std::atomic<std::int64_t> last_news_ms_{0};

@@ -17,7 +17,7 @@ constexpr int kWidth = 53, kHeight = 37;
 class LiveReferences : public testing::Test {
   protected:
     LiveReferences()
-        : session_(test::write_scene(folder_.path()), test::headless()), reference_(session_, [] {}) {}
+        : session_(test::write_scene(folder_.path()), test::headless()), reference_(session_, [] {}, 3) {}
 
     template <typename Condition>
     bool wait_for(Condition condition) {
