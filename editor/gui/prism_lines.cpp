@@ -101,47 +101,61 @@ void PrismLines::follow(const Session& session) {
     }
 }
 
+std::vector<std::uint32_t> PrismLines::facing(const Object& object, const Mesh& mesh, Shown& shown) const {
+    std::vector<std::uint32_t> faces;
+    shown.nearest = 1e300;
+    shown.farthest = 0;
+    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+        const glm::dvec3 to_eye = shown.eye - centre(mesh, mesh.faces[face]);
+        if (object.closed && !(glm::dot(base_normal(mesh, mesh.faces[face]), to_eye) > 0)) continue;
+        shown.nearest = std::min(shown.nearest, glm::length(to_eye));
+        shown.farthest = std::max(shown.farthest, glm::length(to_eye));
+        faces.push_back(face);
+    }
+    return faces;
+}
+
 PrismView PrismLines::view(const Scene& scene, PixelSize picture, const std::optional<glm::dvec2>& pointer,
                            const PrismLimits& limits) const {
     PrismView result;
     Shown shown{scene, picture, scene.camera.eye - scene.origin, 0, 1, result.lines};
-    std::size_t edges_shown = 0, facing_count = 0;
+    std::size_t triangles = 0;
+    bool prisms_cut = false, edges_cut = false;
     for (std::size_t i = 0; i < objects_.size(); ++i) {
         const Object& object = objects_[i];
         const Mesh& mesh = scene.objects[i].mesh;
-        std::vector<bool> facing(mesh.faces.size());
-        std::vector<std::uint32_t> prisms;
-        shown.nearest = 1e300;
-        shown.farthest = 0;
-        for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-            const glm::dvec3 middle = centre(mesh, mesh.faces[face]), to_eye = shown.eye - middle;
-            facing[face] = !object.closed || glm::dot(base_normal(mesh, mesh.faces[face]), to_eye) > 0;
-            if (!facing[face]) continue;
-            shown.nearest = std::min(shown.nearest, glm::length(to_eye));
-            shown.farthest = std::max(shown.farthest, glm::length(to_eye));
-            prisms.push_back(face);
-        }
-        for (const MeshEdge& edge : object.topology.edges) {
-            const auto sides = object.topology.sides_of(edge);
-            const bool seen =
-                std::any_of(sides.begin(), sides.end(), [&](const EdgeSide& s) { return facing[s.face]; });
-            if (!seen || edges_shown >= limits.edges) continue;
-            shown.add(OverlayLine::Kind::base, mesh.positions[edge.p0], mesh.positions[edge.p1]);
-            ++edges_shown;
-        }
-        facing_count += prisms.size();
-        if (prisms.size() > limits.prisms) {
-            std::erase_if(prisms, [&](std::uint32_t face) {
-                const auto at = shown.on_screen(centre(mesh, mesh.faces[face]));
+        // Too many are cut to those near the pointer; true then.
+        const auto cut = [&](auto& items, std::size_t limit, const auto& middle_of) {
+            if (items.size() <= limit) return false;
+            std::erase_if(items, [&](const auto& item) {
+                const auto at = shown.on_screen(middle_of(item));
                 return !pointer || !at || glm::length(*at - *pointer) > limits.near_px;
             });
-            if (prisms.size() > limits.prisms) prisms.resize(limits.prisms);
-            result.note = grouped(facing_count) + " triangles in view: prisms near the pointer only";
+            if (items.size() > limit) items.resize(limit);
+            return true;
+        };
+        std::vector<std::uint32_t> faces = facing(object, mesh, shown);
+        triangles += faces.size();
+        std::vector<bool> faces_us(mesh.faces.size());
+        for (const std::uint32_t face : faces) faces_us[face] = true;
+        std::vector<MeshEdge> edges;
+        for (const MeshEdge& edge : object.topology.edges) {
+            const auto sides = object.topology.sides_of(edge);
+            if (std::any_of(sides.begin(), sides.end(), [&](const EdgeSide& s) { return faces_us[s.face]; }))
+                edges.push_back(edge);
         }
-        for (const std::uint32_t face : prisms) shown.add_prism(mesh, mesh.faces[face], object.range[face]);
+        const auto end = [&](std::uint32_t position) { return glm::dvec3(mesh.positions[position]); };
+        edges_cut |=
+            cut(edges, limits.edges, [&](const MeshEdge& e) { return (end(e.p0) + end(e.p1)) * 0.5; });
+        prisms_cut |=
+            cut(faces, limits.prisms, [&](std::uint32_t face) { return centre(mesh, mesh.faces[face]); });
+        for (const MeshEdge& edge : edges) shown.add(OverlayLine::Kind::base, end(edge.p0), end(edge.p1));
+        for (const std::uint32_t face : faces) shown.add_prism(mesh, mesh.faces[face], object.range[face]);
     }
-    if (edges_shown >= limits.edges)
-        result.note += (result.note.empty() ? "" : "; ") + std::string("not all edges");
+    if (prisms_cut)
+        result.note = grouped(triangles) +
+                      " triangles in view: " + (edges_cut ? "edges and prisms" : "prisms") +
+                      " near the pointer only";
     return result;
 }
 

@@ -27,8 +27,8 @@ struct PrismView {
 
 // What is drawn of a large mesh.
 struct PrismLimits {
-    std::size_t edges = 24000, prisms = 600;
-    double near_px = 130;  // beyond the limit on prisms, those whose centre is so close to the pointer
+    std::size_t edges = 24000, prisms = 600;  // an object
+    double near_px = 130;                     // beyond a limit, what is so close to the pointer
 };
 
 class PrismLines {
@@ -46,6 +46,8 @@ class PrismLines {
         std::vector<glm::vec2> range;  // of each face: displacement low, high
     };
     struct Shown;
+    // The faces that are shown; measures how near and far they are.
+    std::vector<std::uint32_t> facing(const Object& object, const Mesh& mesh, Shown& shown) const;
 
     std::vector<Object> objects_;
     std::optional<std::uint64_t> revision_;
