@@ -308,20 +308,21 @@ PixelRect LivePane::slice_from(int row, double ms_per_pixel) const {
     return {0, row, size.width, std::min(size.height, row + taken)};
 }
 
-// The first row of tiles that has stale ones, from its first to its last, with the rows below it while they
-// are cheap enough.
+// Of the first row of tiles that has stale ones, from the first to the last of them, as far as a slice's time
+// goes; with the rows below while they are cheap enough.
 PixelRect LivePane::next_stale() const {
+    const double affordable = kSliceMs / std::max(1e-9, preview_ms_ * kTile * kTile);  // tiles
     const auto first = std::find(stale_.begin(), stale_.end(), 1);
     const int row = static_cast<int>(first - stale_.begin()) / tiles_x_;
     const auto row_begin = stale_.begin() + static_cast<std::ptrdiff_t>(row) * tiles_x_;
-    int x0 = static_cast<int>(first - row_begin), x1 = x0;
+    const int x0 = static_cast<int>(first - row_begin);
+    int x1 = x0;
     for (int x = x0; x < tiles_x_; ++x)
         if (row_begin[x]) x1 = x + 1;
+    x1 = std::min(x1, x0 + static_cast<int>(std::clamp(affordable, 1.0, 1e4)));
     int rows = 1;
-    if (stale_count_ == tiles_x_ * (tiles_y_ - row)) {
-        const double row_ms = preview_ms_ * kTile * kTile * tiles_x_;
-        rows = static_cast<int>(std::clamp(kSliceMs / std::max(1e-9, row_ms), 1.0, 1e4));
-    }
+    if (stale_count_ == tiles_x_ * (tiles_y_ - row) && x1 == tiles_x_)
+        rows = static_cast<int>(std::clamp(affordable / tiles_x_, 1.0, 1e4));
     return {x0 * kTile, row * kTile, std::min(renderer_->width(), x1 * kTile),
             std::min(renderer_->height(), (row + rows) * kTile)};
 }
