@@ -18,12 +18,13 @@
 namespace relievo {
 namespace {
 
-// Parts of a scene's time: what the reference and the errors may take of a budget; the rest is for frames and
-// edits.
-constexpr double kReferencePart = 0.2, kErrorsPart = 0.55, kEditsPart = 0.12;
-// What the errors of a point cost beside its frames (of which they take about as many as kErrorFrames), and
-// how much longer the frames of the next finer point of a sweep may take.
-constexpr double kErrorFrames = 6, kErrorSeconds = 0.5, kSlowerStep = 2;
+// What the reference may take of a scene's time, and what is kept for edits; where the errors end in the
+// progress.
+constexpr double kReferencePart = 0.2, kEditsPart = 0.12, kErrorsPart = 0.5;
+// What the errors of a point cost beside its frames, of which they take about as many as kErrorFrames; how
+// much longer the frames of the next finer point of a sweep may take; rounds that all points shall have: a
+// warm-up, three, and edits.
+constexpr double kErrorSeconds = 0.5, kErrorFrames = 6, kSlowerStep = 2, kLeastRounds = 5;
 
 class SceneRun {
   public:
@@ -52,6 +53,7 @@ class SceneRun {
     const Scene& scene() const { return scene_.scene(); }
     void describe();
     void choose_judged_size();
+    double pixels() const;
     bool may_measure(std::size_t point) const;
     void measure_errors();
     void measure(std::size_t point);
@@ -68,7 +70,7 @@ class SceneRun {
     std::unique_ptr<MethodRenderers> renderers_;
     std::vector<const PointChoice*> choices_;  // of the points that were measured, like what follows
     std::vector<QualityJudge::Measured> measured_;
-    std::map<const Method*, double> next_seconds_;  // expected of the method's next point
+    std::map<const Method*, double> last_frame_;  // milliseconds, of the method's last point
 };
 
 void SceneRun::describe() {
@@ -104,11 +106,22 @@ void SceneRun::choose_judged_size() {
                           " images: the reference would have taken too long");
 }
 
-// The first point of every method is always measured.
+// How many times a primary and a preview frame cost in the rounds than in the judged image.
+double SceneRun::pixels() const {
+    return static_cast<double>(result_.width) * result_.height /
+           (static_cast<double>(result_.judged_width) * result_.judged_height);
+}
+
+// The first point of every method is always measured; another one where it leaves time for a few rounds of
+// all.
 bool SceneRun::may_measure(std::size_t point) const {
-    const auto next = next_seconds_.find(task_.points[point].method);
-    if (budget_.endless() || next == next_seconds_.end()) return true;
-    return budget_.spent() + next->second < kErrorsPart * budget_.limit();
+    const auto last = last_frame_.find(task_.points[point].method);
+    if (budget_.endless() || last == last_frame_.end()) return true;
+    const double frame = kSlowerStep * last->second * 1e-3;
+    double round = frame;
+    for (const QualityJudge::Measured& measured : measured_) round += measured.frame_ms * 1e-3;
+    return budget_.spent() + kErrorSeconds + kErrorFrames * frame + kLeastRounds * pixels() * round <
+           budget_.limit();
 }
 
 void SceneRun::measure_errors() {
@@ -143,8 +156,7 @@ void SceneRun::measure(std::size_t index) {
         judge_->measure(renderer, point, task_.folder / point.picture, task_.folder / point.error_map));
     choices_.push_back(&choice);
     result_.points.push_back(std::move(point));
-    next_seconds_[choice.method] =
-        kErrorSeconds + kErrorFrames * kSlowerStep * measured_.back().frame_ms * 1e-3;
+    last_frame_[choice.method] = measured_.back().frame_ms;
 }
 
 void SceneRun::compare_images() {
@@ -175,11 +187,9 @@ glm::dvec2 SceneRun::edited_place() const {
 
 void SceneRun::measure_times() {
     renderers_->resize(result_.width, result_.height);
-    const double pixels = static_cast<double>(result_.width) * result_.height /
-                          (static_cast<double>(result_.judged_width) * result_.judged_height);
     std::vector<TimedPoint> points;
     for (std::size_t i = 0; i < result_.points.size(); ++i)
-        points.push_back({choices_[i], &result_.points[i], measured_[i].frame_ms * pixels});
+        points.push_back({choices_[i], &result_.points[i], measured_[i].frame_ms * pixels()});
     const double kept = budget_.endless() ? 0 : kEditsPart * budget_.limit();
     if (!budget_.endless()) fit_points(points, budget_.left() - kept, result_.cut);
     const auto telling = [&](const char* what, double from, double to) {
