@@ -17,7 +17,6 @@ void check_options(const CompareVerb& verb) {
         throw std::invalid_argument(option + ": does not go with --stability, which has scenes of its own");
     };
     if (!verb.scenes.empty()) refuse(verb.scenes.front());
-    if (!verb.picture.size.empty()) refuse("--size");
     if (verb.budget_s > 0) refuse("--budget");
 }
 
@@ -28,7 +27,10 @@ int run_compare_stability(const CompareVerb& verb) {
     StabilityOptions options;
     options.methods = parse_methods(verb.methods);
     options.cases = parse_cases(verb.cases);
-    const SessionOptions session = session_options(verb.common, verb.method);
+    const SessionOptions session = session_options(verb.common, verb.method, verb.picture);
+    if (session.width != session.height)
+        throw std::invalid_argument("--size: with --stability images are square, like 128x128");
+    if (session.width > 0) options.size = session.width;
     options.device = session.device;
     options.path = session.path;
     const std::filesystem::path folder = verb.folder;

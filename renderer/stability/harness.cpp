@@ -87,8 +87,9 @@ std::string Cell::text() const {
     return result;
 }
 
-JudgedCase::JudgedCase(const CaseEntry& entry)
+JudgedCase::JudgedCase(const CaseEntry& entry, int size)
     : entry_(entry), case_(entry.make()), surface_(case_.reference()) {
+    case_.size = std::max(case_.size * size / kCaseSize, 1);
     trace_views();
     for (const RaySet& set : case_.rays) {
         ray_judges_.emplace_back(case_, surface_, set);

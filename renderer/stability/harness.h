@@ -47,8 +47,9 @@ struct Cell {
 
 class JudgedCase {
   public:
-    // Traces the reference for all views and rays of the case.
-    explicit JudgedCase(const CaseEntry& entry);
+    // Traces the reference for all views and rays of the case. `size`: pixels a side of an ordinary case's
+    // images; cases that are slow have smaller ones, in proportion.
+    explicit JudgedCase(const CaseEntry& entry, int size = kCaseSize);
     JudgedCase(const JudgedCase&) = delete;  // the judges point to its surface
     JudgedCase& operator=(const JudgedCase&) = delete;
 

@@ -28,6 +28,8 @@ enum class Sampled {
     no_promise,     // cliffs, features thinner than a step, and all else
 };
 
+constexpr int kCaseSize = 64;  // pixels a side of the images
+
 struct Case {
     std::vector<SampleSurface> objects;
     std::vector<NamedView> views;
@@ -36,7 +38,7 @@ struct Case {
     Sampled sampled = Sampled::no_promise;
     // Why float cannot represent the answer here: then no method is held to errors. Empty: it can.
     std::string beyond_float;
-    int size = 64;  // pixels a side
+    int size = kCaseSize;
 
     Scene scene(const NamedView& view) const;
     std::vector<HeightView> maps() const;

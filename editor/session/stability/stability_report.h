@@ -30,6 +30,7 @@ struct StabilityMatrix {
 struct StabilityOptions {
     std::vector<std::string> methods;  // empty: all of the registry
     std::vector<std::string> cases;    // empty: all
+    int size = stability::kCaseSize;   // pixels a side of the images
     std::string device;
     TracePath path = TracePath::automatic;
 };

@@ -75,7 +75,7 @@ StabilityMatrix run_stability(const StabilityOptions& options,
     for (const CaseEntry& entry : entries) {
         if (progress)
             progress(static_cast<int>(matrix.rows.size()), static_cast<int>(entries.size()), entry.name);
-        const stability::JudgedCase judge(entry);
+        const stability::JudgedCase judge(entry, options.size);
         StabilityRow row{entry.group, entry.name, entry.what, judge.complaints(), {}};
         for (const Method* method : judged) row.cells.push_back(judge.run(context, *method, options.path));
         matrix.rows.push_back(std::move(row));
