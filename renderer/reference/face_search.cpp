@@ -174,6 +174,12 @@ FaceSearch::Part FaceSearch::clipped(const Part& part, int axis, double line, bo
     return half;
 }
 
+bool FaceSearch::is_a_line(const Part& part) {
+    const dvec2 e1 = part.points[1].b - part.points[0].b, e2 = part.points[2].b - part.points[0].b;
+    const double longest = std::max({glm::length(e1), glm::length(e2), glm::length(e2 - e1)});
+    return std::abs(cross2(e1, e2)) <= kRounding * longest;
+}
+
 void FaceSearch::open_block(const Part& part) {
     const HeightRange counts = object_->ranges.range(part.cells);
     if (part.cells.single() || counts.low == counts.high) {
@@ -183,6 +189,8 @@ void FaceSearch::open_block(const Part& part) {
             Part smooth{};
             smooth.points[0] = part.points[0], smooth.points[1] = part.points[i - 1],
             smooth.points[2] = part.points[i];
+            // No wider than rounding: its neighbours have it, and cut it would multiply.
+            if (is_a_line(smooth)) continue;
             smooth.count = 3;
             smooth.smooth = true;
             smooth.patch = counts.low == counts.high

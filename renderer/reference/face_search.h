@@ -73,6 +73,7 @@ class FaceSearch {
     bool bound_smooth(Part& part) const;
     bool reached(std::span<const glm::dvec3> points, double radius, Part& part) const;
     double rounding(std::span<const glm::dvec3> points) const;
+    static bool is_a_line(const Part& part);  // within rounding of the barycentrics
     Part clipped(const Part& part, int axis, double line, bool keep_low) const;
 
     void start();

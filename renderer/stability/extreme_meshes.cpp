@@ -146,6 +146,15 @@ Mesh turned_inside_out(Mesh mesh) {
     return mesh;
 }
 
+Mesh transformed(const Mesh& mesh, const glm::dmat4& world_from_object) {
+    MeshFile file;
+    for (const glm::vec3& p : mesh.positions) file.positions.emplace_back(p);
+    for (const glm::vec3& n : mesh.normals) file.file_normals.emplace_back(n);
+    for (const glm::vec2& uv : mesh.uvs) file.uvs.emplace_back(uv);
+    file.faces = mesh.faces;
+    return make_mesh(file, world_from_object, dvec3(0), true);
+}
+
 Mesh with_leaning_normals(Mesh mesh) {
     for (std::uint32_t i = 0; i < mesh.normals.size(); i += 5) {
         const glm::vec3 side(hash01(i, 0, 11) - 0.5, hash01(i, 1, 11) - 0.5, hash01(i, 2, 11) - 0.5);

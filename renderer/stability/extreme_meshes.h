@@ -1,6 +1,8 @@
 // Meshes that are hard to displace.
 #pragma once
 
+#include <glm/mat4x4.hpp>
+
 #include "renderer/scene/mesh.h"
 
 namespace relievo::stability {
@@ -22,6 +24,8 @@ Mesh unwelded(const Mesh& mesh);
 Mesh with_zero_area_faces(Mesh mesh);
 // All faces turned round: N.Ng is negative everywhere.
 Mesh turned_inside_out(Mesh mesh);
+// As an object's transform would leave it: mirrored, squeezed and turned.
+Mesh transformed(const Mesh& mesh, const glm::dmat4& world_from_object);
 // The normal of every fifth position leans to a random side.
 Mesh with_leaning_normals(Mesh mesh);
 // Every face has the whole map's lower left half for itself, mirrored every second time.

@@ -1,5 +1,8 @@
 // Cases of the whole scene: tiny, huge, far away; several objects; holes.
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "renderer/stability/case_parts.h"
+#include "renderer/stability/extreme_meshes.h"
 
 namespace relievo::stability {
 namespace {
@@ -41,6 +44,11 @@ std::vector<CaseEntry> place_cases() {
     add("lump_far_away", "a lump 1e5 away", [=] { return moved(lump(), {-1e5, 1e5, 1e5}); });
     add("tiny_far_away", "a ball 1e-2 times as large, 1e5 away", [=] {
         return moved(scaled(ball(), 1e-2), {1e5, 1e5, -1e5});
+    });
+    add("mirrored_transform", "a ball mirrored, squeezed to an egg and turned by its transform", [] {
+        glm::dmat4 m = glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(0.3, 1, 0.2));
+        m = glm::scale(m, glm::dvec3(-1, 0.4, 1.2));
+        return on_mesh(transformed(ball_mesh(32, 16), m), ball_views(), 0.1, 0.5, ball_dunes_map(128, 64));
     });
     add("several_objects", "a plane, a ball and a lump with maps and amplitudes of their own", three_objects);
     return list;

@@ -158,6 +158,32 @@ Case in_a_flat_plane() {
     return c;
 }
 
+// Rays exactly over texels' centres and borders, upright, and level along their rows, columns and diagonals
+// at the height of the map's values: nothing of them tells one cell from its neighbour.
+Case over_texel_borders(double amplitude, const MapShape& map) {
+    Case c = on_plane(amplitude, 0, map);
+    c.views.clear();
+    RaySet upright{"upright", {}}, level{"level", {}};
+    const int count = map.width;
+    for (int i = 0; i <= 2 * count; ++i) {
+        const double s = i / (2.0 * count);
+        for (int j = 0; j <= 2 * count; j += 3) {
+            const double t = j / (2.0 * count);
+            upright.rays.push_back(ray_of({s, t, 2}, {0, 0, -1}));
+            upright.rays.push_back(ray_of({s, t, -2}, {0, 0, 1}));
+        }
+        for (const double part : {0.0, 0.25, 0.5, 1.0}) {
+            const double z = part * amplitude;
+            level.rays.push_back(ray_of({-0.5, s, z}, {1, 0, 0}));
+            level.rays.push_back(ray_of({s, 1.5, z}, {0, -1, 0}));
+            level.rays.push_back(ray_of({s, s, z}, {1, 1, 0}));
+            level.rays.push_back(ray_of({s, 0.5, z}, {-1, 0, 0}));
+        }
+    }
+    c.rays = {upright, level};
+    return c;
+}
+
 }  // namespace
 
 std::vector<CaseEntry> ray_cases() {
@@ -178,6 +204,11 @@ std::vector<CaseEntry> ray_cases() {
     add("rays_at_spikes", "rays at spikes on a ball",
         [] { return with_all_rays(on_ball(0.2, 0.2, spike_map(128, 64)), 0.5); });
     add("rays_in_a_plane", "rays that lie in a flat plane, on its border and diagonal", in_a_flat_plane);
+    add("rays_over_texel_borders", "rays exactly over texels' centres and borders, cliffs on a plane",
+        [] { return over_texel_borders(0.25, cliff_map(16, 16)); });
+    add("rays_over_chessboard", "the same over a chessboard of single texels", [] {
+        return over_texel_borders(0.5, {8, 8, [](int x, int y) { return (x + y) % 2; }, Wrap::clamp});
+    });
     return list;
 }
 

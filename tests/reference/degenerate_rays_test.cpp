@@ -94,6 +94,30 @@ TEST(DegenerateRays, LyingInARulingOfABilinearCellTheyEnd) {
     EXPECT_LT(answer.nodes, 5000u);
 }
 
+TEST(DegenerateRays, OnAnEdgeThatRunsThroughTexelCornersTheyEnd) {
+    // The diagonal of the plane runs through the corners of texel cells: cut there, parts without any width
+    // remain.
+    SampleSurface sample;
+    sample.mesh = plane_mesh();
+    sample.amplitude = 0.5;
+    sample.wrap = Wrap::clamp;
+    sample.paint(8, 8, [](int x, int y) { return (x + y) % 2; });
+    const ReferenceSurface surface = sample.reference();
+    std::uint64_t most = 0;
+    for (int i = 0; i <= 32; ++i) {
+        const double s = i / 32.0;
+        const auto down = surface.trace({s, s, 2}, {0, 0, -1}, 0, kFar);
+        EXPECT_TRUE(down.hit) << s;
+        most = std::max(most, down.nodes);
+        for (const double z : {0.0, 0.125, 0.25, 0.5}) {
+            const auto along = surface.trace({s, s, z}, glm::normalize(dvec3(1, 1, 0)), 0, kFar);
+            EXPECT_FALSE(along.undecided);
+            most = std::max(most, along.nodes);
+        }
+    }
+    EXPECT_LT(most, 20000u);
+}
+
 TEST(DegenerateRays, TangentRaysEndWithinTheNodeLimit) {
     const SampleSurface sample = ball_with_dunes(32, 16, 0.2, 0.5);
     const ReferenceSurface surface = sample.reference();
