@@ -90,6 +90,7 @@ std::string Cell::text() const {
 JudgedCase::JudgedCase(const CaseEntry& entry, int size)
     : entry_(entry), case_(entry.make()), surface_(case_.reference()) {
     case_.size = std::max(case_.size * size / kCaseSize, 1);
+    pixels_ = static_cast<double>(size) * size / (kCaseSize * kCaseSize);
     trace_views();
     for (const RaySet& set : case_.rays) {
         ray_judges_.emplace_back(case_, surface_, set);
@@ -228,7 +229,8 @@ void JudgedCase::decide(const Method& method, Cell& cell) const {
         cell.verdict = off == 0 ? Verdict::right : Verdict::rough;
         cell.stale = limit != nullptr;
     } else {
-        const bool known = limit != nullptr && cell.worst().errors.unexplained <= limit->most_wrong;
+        const bool known =
+            limit != nullptr && cell.worst().errors.unexplained <= limit->most_wrong * std::max(pixels_, 1.0);
         cell.verdict = known ? Verdict::known : Verdict::wrong;
         if (limit != nullptr)
             cell.note = "known limit: " + std::string(limit->reason) + "; at most " +

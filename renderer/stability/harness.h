@@ -68,6 +68,7 @@ class JudgedCase {
 
     CaseEntry entry_;
     Case case_;
+    double pixels_ = 1;  // of an image, over the usual number
     ReferenceSurface surface_;
     std::vector<Judge> judges_;  // one a view
     std::vector<RayJudge> ray_judges_;

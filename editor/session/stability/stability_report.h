@@ -44,11 +44,10 @@ StabilityMatrix run_stability(
     const StabilityOptions& options,
     const std::function<void(int done, int total, const std::string& name)>& progress = {});
 
-std::string html_text(const StabilityMatrix& matrix);  // one page, needs nothing else
-std::string csv_text(const StabilityMatrix& matrix);   // a line a case and method
-std::string json_text(const StabilityMatrix& matrix);  // with every view
-std::string summary_text(
-    const StabilityMatrix& matrix);  // verdicts by method, then what is not right of the promises
+std::string html_text(const StabilityMatrix& matrix);     // one page, needs nothing else
+std::string csv_text(const StabilityMatrix& matrix);      // a line a case and method
+std::string json_text(const StabilityMatrix& matrix);     // with every view
+std::string summary_text(const StabilityMatrix& matrix);  // the matrix, then what is not as promised
 
 // Makes the folder and sees that it can be written, before the work. Throws std::invalid_argument.
 void prepare_stability_folder(const std::filesystem::path& folder);

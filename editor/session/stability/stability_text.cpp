@@ -1,7 +1,9 @@
 // The matrix as CSV, JSON and a summary for the terminal.
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "editor/session/compare/words.h"
 #include "editor/session/stability/stability_report.h"
 #include "editor/session/text.h"
 
@@ -94,8 +96,41 @@ std::string json_text(const StabilityMatrix& matrix) {
            "\n";
 }
 
+namespace {
+
+// Rows cases, columns methods: the verdict, what is missed, invented or unexplained, and p99 of the depth
+// error.
+std::string table_text(const StabilityMatrix& matrix) {
+    char part[120];
+    std::snprintf(part, sizeof part, "%-30s", "case");
+    std::string text = part;
+    for (const std::string& method : matrix.methods) {
+        std::snprintf(part, sizeof part, "  %-32s", (method + ": verdict, wrong, p99").c_str());
+        text += part;
+    }
+    text += "\n";
+    for (const StabilityRow& row : matrix.rows) {
+        std::snprintf(part, sizeof part, "%-30s", row.name.c_str());
+        text += part;
+        for (const Cell& cell : row.cells) {
+            const ImageComparison e = cell.worst().errors;
+            std::snprintf(part, sizeof part, "  %-11s %8d %-11s",
+                          std::string(stability::verdict_name(cell.verdict)).c_str(),
+                          std::max(e.missed + e.invented, e.unexplained),
+                          error_text(e.depth_away.p99).c_str());
+            text += part;
+        }
+        text.erase(text.find_last_not_of(' ') + 1);
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
 std::string summary_text(const StabilityMatrix& matrix) {
-    std::string text = std::to_string(matrix.rows.size()) + " cases on " + matrix.device + "\n";
+    std::string text = table_text(matrix);
+    text += "\n" + std::to_string(matrix.rows.size()) + " cases on " + matrix.device + "\n";
     for (std::size_t m = 0; m < matrix.methods.size(); ++m) {
         char line[120];
         std::snprintf(line, sizeof line, "%-14s", matrix.methods[m].c_str());
