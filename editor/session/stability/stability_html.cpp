@@ -16,7 +16,7 @@ constexpr const char* kStyle = R"(<style>
 :root{color-scheme:light}
 *{box-sizing:border-box}
 body{margin:0;font:15px/1.5 system-ui,Segoe UI,Helvetica,Arial,sans-serif;color:#1d2026;background:#f4f5f7}
-header,main{max-width:1440px;margin:0 auto;padding:0 28px}
+header,main{max-width:1760px;margin:0 auto;padding:0 28px}
 header{padding-top:36px}
 h1{font-size:30px;line-height:1.2;margin:0 0 6px}
 h2{font-size:19px;margin:0 0 8px}
@@ -40,7 +40,7 @@ td.zero{color:#b4b9c1}
 .key span{padding:1px 9px;border-radius:4px;margin-right:4px;font-weight:600;font-size:13px}
 ul{margin:4px 0 14px;padding-left:22px;font-size:13px}
 h3{font-size:14px;margin:12px 0 2px}
-footer{max-width:1440px;margin:0 auto;padding:0 28px 40px;color:#7a808a;font-size:13px}
+footer{max-width:1760px;margin:0 auto;padding:0 28px 40px;color:#7a808a;font-size:13px}
 a{color:#0057a8}
 </style>
 )";
