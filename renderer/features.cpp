@@ -36,6 +36,7 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.mended_creases = request.has_creases && request.method->geometry == GeometryKind::parallel_prisms;
     f.pyramid = all || request.method->needs_pyramid;
     f.true_shell = request.method->geometry == GeometryKind::surface_bounds;
+    f.searched = f.true_shell && (all || request.has_searched);
     f.by_pipeline = request.by_pipeline;
     return f;
 }
@@ -65,6 +66,9 @@ class Describer {
         add("surface bounds", f.true_shell,
             f.true_shell ? method_ + " meets the surface itself: boxes hold it where it leaves the parallel prism"
                          : method_ + " meets the surface of the parallel prism, and boxes hold no more");
+        add_needed("search of folded shells", f.searched, f.true_shell && request_.has_searched,
+                   "the shell of a triangle folds, or stands far from its normal",
+                   f.true_shell ? "no triangle's shell folds" : method_ + " does not meet the surface itself");
         const bool parallel = request_.method->geometry == GeometryKind::parallel_prisms;
         add("mended creases", f.mended_creases,
             !parallel               ? method_ + " does not offset triangles in parallel"

@@ -32,6 +32,7 @@ struct Features {
     bool mended_creases = false; // triangles inserted along folded edges (paper 002, section 5.4)
     bool pyramid = false;        // min-max pyramid of the map on the device
     bool true_shell = false;     // boxes and clipping hold S itself, not only the parallel prism's surface
+    bool searched = false;       // search of triangles whose shell folds
     bool by_pipeline = false;    // ray tracing pipeline in the ray query's stead
 };
 
@@ -40,6 +41,7 @@ struct FeatureRequest {
     bool everything = false;   // build all, whether needed or not
     bool has_creases = false;  // a mesh has edges folded below the threshold
     bool by_pipeline = false;
+    bool has_searched = false;  // a triangle is flagged kPrimitiveSearched
 };
 
 Features derive_features(const Scene& scene, const FeatureRequest& request);

@@ -78,7 +78,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
     if (primitives.empty()) throw std::invalid_argument(scene.path.string() + ": no triangle of the scene has an area");
     std::vector<Box> boxes;
     boxes.reserve(primitives.size());
-    for (const gpu::Primitive& p : primitives) boxes.push_back(prism_box(p));
+    for (const gpu::Primitive& p : primitives) boxes.push_back(box_of(p));
     const auto order = spatial_order(boxes);
 
     primitives_ = vulkan::Buffer(context, primitives.size() * sizeof(gpu::Primitive), kStorage, vulkan::Access::host);
@@ -119,12 +119,15 @@ void GpuScene::add_object(const SceneObject& description, const HeightView& map,
     object.bounds = std::make_unique<HeightBounds>(map.width, map.height, map.texels, object.wrap);
     object.lookup = std::make_unique<TriangleLookup>(object.mesh, map.width, map.height, object.wrap);
     object.primitive_of.assign(object.mesh.faces.size(), kNone);
+    object.ranges.resize(object.mesh.faces.size());
     const auto uses = count_edge_uses(object.mesh);
     for (std::uint32_t face = 0; face < object.mesh.faces.size(); ++face) {
         auto p = make_primitive(object.mesh, face, index, {map.width, map.height}, clamp);
         if (!p) continue;
         flag_open_edges(object.mesh, face, uses, *p);
+        object.ranges[face] = range_of(object, face);
         set_bounds(object, face, *p);
+        any_searched_ = any_searched_ || (p->flags & gpu::kPrimitiveSearched) != 0;
         primitives.push_back(*p);
     }
     object.map = vulkan::Image(context_, map.width, map.height, VK_FORMAT_R16_UNORM, kTexture);
@@ -177,8 +180,8 @@ void GpuScene::load_opacity(const SceneObject& description, Object& object, bool
 }
 
 void GpuScene::set_bounds(const Object& object, std::uint32_t face, gpu::Primitive& primitive) const {
-    set_heights(primitive, range_of(object, face));
-    if (meets_surface_) set_shell_margin(primitive);
+    if (meets_surface_) set_shell(primitive, primitive_normals(object.mesh, face), object.ranges[face]);
+    else set_heights(primitive, object.ranges[face]);
 }
 
 // The changed nodes, level by level, into the mips of the pyramid's image.
@@ -257,15 +260,12 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
         const std::uint32_t i = object.primitive_of[face];
         if (i == kNone) continue;
         ++stats.triangles_touched;
-        gpu::Primitive& p = primitives_.as<gpu::Primitive>()[i];
-        gpu::Primitive fresh = p;
-        set_bounds(object, face, fresh);
+        DisplacementRange& range = object.ranges[face];
+        const DisplacementRange fresh = range_of(object, face);
         // Bounds that shrank stay: they are still true, and the box need not move.
-        if (fresh.w_low >= p.w_low && fresh.w_high <= p.w_high) continue;
-        const float low = std::min(p.w_low, fresh.w_low), high = std::max(p.w_high, fresh.w_high);
-        extend_heights(p, low, high);
-        if (meets_surface_) set_shell_margin(p);
-        write_box(i);
+        if (fresh.low >= range.low && fresh.high <= range.high) continue;
+        range = {std::min(range.low, fresh.low), std::max(range.high, fresh.high)};
+        update_primitive(object, face);
         ++stats.triangles_grown;
         grown = true;
     }
@@ -277,8 +277,18 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     return stats;
 }
 
-void GpuScene::write_box(std::uint32_t primitive) {
-    bvh_.boxes()[primitive] = vulkan_box(prism_box(primitives_.as<gpu::Primitive>()[primitive]));
+Box GpuScene::box_of(const gpu::Primitive& p) const {
+    if (!meets_surface_) return prism_box(p);
+    const Object& object = objects_[p.object];
+    return surface_box(p, primitive_normals(object.mesh, p.face), object.ranges[p.face]);
+}
+
+void GpuScene::update_primitive(const Object& object, std::uint32_t face) {
+    const std::uint32_t i = object.primitive_of[face];
+    gpu::Primitive& p = primitives_.as<gpu::Primitive>()[i];
+    set_bounds(object, face, p);
+    any_searched_ = any_searched_ || (p.flags & gpu::kPrimitiveSearched) != 0;
+    bvh_.boxes()[i] = vulkan_box(box_of(p));
 }
 
 void GpuScene::set_displacement(std::size_t index, double amplitude, double midlevel) {
@@ -288,10 +298,9 @@ void GpuScene::set_displacement(std::size_t index, double amplitude, double midl
     object_data_.as<gpu::ObjectData>()[index].amplitude = static_cast<float>(amplitude);
     object_data_.as<gpu::ObjectData>()[index].midlevel = static_cast<float>(midlevel);
     for (std::uint32_t face = 0; face < object.primitive_of.size(); ++face) {
-        const std::uint32_t i = object.primitive_of[face];
-        if (i == kNone) continue;
-        set_bounds(object, face, primitives_.as<gpu::Primitive>()[i]);
-        write_box(i);
+        if (object.primitive_of[face] == kNone) continue;
+        object.ranges[face] = range_of(object, face);
+        update_primitive(object, face);
     }
     bvh_.refit(commands_);
 }

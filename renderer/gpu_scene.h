@@ -35,6 +35,9 @@ class GpuScene {
     // Writes bindings TLAS, primitives, normals, objects, maps, opacity.
     void write_bindings(VkDescriptorSet set) const;
 
+    // Whether a triangle's shell folds, or ever did, so that methods search it (kPrimitiveSearched).
+    bool any_searched() const { return any_searched_; }
+
     std::uint64_t primitive_bytes() const;
     std::uint64_t map_bytes() const;
     std::uint64_t opacity_bytes() const;
@@ -45,6 +48,7 @@ class GpuScene {
     struct Object {
         Mesh mesh;                               // as traced: creases mended where the method wants it
         std::vector<std::uint32_t> primitive_of; // traced face -> primitive; kNone for faces without area
+        std::vector<DisplacementRange> ranges;   // of traced faces; only ever wider while the map is edited
         std::unique_ptr<HeightBounds> bounds;
         std::unique_ptr<TriangleLookup> lookup;
         std::unique_ptr<HeightPyramid> pyramid;  // where the method bounds heights
@@ -59,12 +63,15 @@ class GpuScene {
     void load_opacity(const SceneObject& description, Object& object, bool wanted);
     void upload_texels(Object& object, const HeightView& map, std::span<const TexelRegion> regions);
     void upload_pyramid(Object& object, const std::vector<HeightPyramid::Nodes>& changed);
+    // Heights and flags, from the face's range.
     void set_bounds(const Object& object, std::uint32_t face, gpu::Primitive& primitive) const;
     DisplacementRange range_of(const Object& object, std::uint32_t face) const;
-    void write_box(std::uint32_t primitive);
+    Box box_of(const gpu::Primitive& primitive) const;
+    void update_primitive(const Object& object, std::uint32_t face);  // bounds and box, after the range has changed
 
     vulkan::Context& context_;
     vulkan::Commands& commands_;
+    bool any_searched_ = false;
     bool meets_surface_ = false;  // the method meets S itself, not the parallel prism's surface
     std::vector<Object> objects_;
     vulkan::Buffer primitives_, normals_, object_data_, staging_;

@@ -12,8 +12,10 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Above it the parallel prism says too little about where the surface is.
-constexpr float kMostShellMargin = 0.5f;
+// Beyond these the parallel prism says too little about where the surface is: barycentric, and the least cosine of a
+// vertex normal to ng.
+constexpr double kMostShellMargin = 0.25;
+constexpr double kLeastShellCosine = 0.15;
 
 int floor_mod(double value, int size) {
     const double wrapped = std::fmod(value, size);
@@ -71,12 +73,9 @@ bool turns_over(const gpu::Primitive& p) {
     return !(least_offset_area(p) > 1e-3 * offset_area(p, 0));
 }
 
-// How far beside the base triangle the surface may stand: |D| sin of the greatest angle between N_i and ng.
-double lateral_reach(const gpu::Primitive& p) {
-    double most = 0;
-    for (const glm::vec2& shift : {p.shift0, p.shift1, p.shift2})
-        most = std::max(most, static_cast<double>(glm::dot(shift, shift)));
-    return std::max(std::abs(double{p.w_low}), std::abs(double{p.w_high})) * std::sqrt(most / (1 + most));
+// What rounding may do to heights.
+double height_slack(const gpu::Primitive& p, const DisplacementRange& range) {
+    return 2e-6 * (std::max(std::abs(range.low), std::abs(range.high)) + std::max<double>(p.q1x, p.q2.y));
 }
 
 void split(std::vector<std::uint32_t>& order, const std::vector<glm::vec3>& centres, std::size_t first,
@@ -142,8 +141,7 @@ void set_heights(gpu::Primitive& p, const DisplacementRange& range) {
     double longest = 1;
     for (const glm::vec2& shift : {p.shift0, p.shift1, p.shift2})
         longest = std::max(longest, std::sqrt(1 + static_cast<double>(glm::dot(shift, shift))));
-    const double slack =
-        2e-6 * (std::max(std::abs(range.low), std::abs(range.high)) + std::max<double>(p.q1x, p.q2.y));
+    const double slack = height_slack(p, range);
     extend_heights(p, static_cast<float>((range.low > 0 ? range.low / longest : range.low) - slack),
                    static_cast<float>((range.high < 0 ? range.high / longest : range.high) + slack));
 }
@@ -154,9 +152,11 @@ void extend_heights(gpu::Primitive& p, float w_low, float w_high) {
     p.flags = (p.flags & ~gpu::kPrimitiveFolded) | (turns_over(p) ? gpu::kPrimitiveFolded : 0u);
 }
 
-void set_shell_margin(gpu::Primitive& p) {
-    // At height w the surface's lateral shift is sum b'_i shift_i, b'_i = b_i k_i / k(b), against the prism's
-    // sum b_i shift_i; |b'_i - b_i| <= b_i (largest k / least k - 1), and the shifts' differences count.
+namespace {
+
+// At height w the surface's lateral shift is sum b'_i shift_i, b'_i = b_i k_i / k(b), against the prism's
+// sum b_i shift_i; |b'_i - b_i| <= b_i (largest k / least k - 1), and the shifts' differences count.
+double shell_margin(const gpu::Primitive& p) {
     const std::array<glm::vec2, 3> shifts{p.shift0, p.shift1, p.shift2};
     double least = 1, most = 0, apart = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -171,30 +171,71 @@ void set_shell_margin(gpu::Primitive& p) {
     // no less.
     const double base = offset_area(p, 0), area = std::clamp(least_offset_area(p), 1e-3 * base, base);
     const double edge = std::max<double>({p.q1x, glm::length(p.q2), glm::length(p.q2 - glm::vec2(p.q1x, 0))});
-    p.shell_margin = static_cast<float>(reach * (edge + height * apart) / area);
-    if (p.shell_margin > kMostShellMargin) p.flags |= gpu::kPrimitiveFolded;
+    return reach * (edge + height * apart) / area;
+}
+
+Box with_rounding(const Box& box) {
+    const glm::vec3 margin = glm::vec3(glm::length(box.high - box.low) * 2e-5f) +
+                             glm::max(glm::abs(box.low), glm::abs(box.high)) * 1e-6f;
+    return {box.low - margin, box.high + margin};
+}
+
+}  // namespace
+
+Box surface_box(const gpu::Primitive& p, const gpu::PrimitiveNormals& n, const DisplacementRange& range) {
+    // S lies in the hull of P_i + D_low N_i s and P_i + D_high N_i s, s the middle of 1/|N|, grown by what |N| varies.
+    const std::array<dvec3, 3> normals{n.n0, n.n1, n.n2};
+    const dvec3 tangent = p.tangent, bitangent = glm::cross(dvec3(p.ng), tangent), origin = p.origin;
+    const std::array<dvec3, 3> corners{origin, origin + tangent * double{p.q1x},
+                                       origin + tangent * double{p.q2.x} + bitangent * double{p.q2.y}};
+    const dvec3 middle = (normals[0] + normals[1] + normals[2]) / 3.0;
+    double spread = 0;
+    for (const dvec3& normal : normals) spread = std::max(spread, glm::length(normal - middle));
+    const double shortest = std::max(glm::length(middle) - spread, 0.0);
+    const double scale = shortest > 0 ? 2 / (shortest + 1) : 0;
+    const double most = std::max(std::abs(range.low), std::abs(range.high));
+    const double radius = most * (shortest > 0 ? (1 - shortest) / (1 + shortest) : 1.0);
+    Box box{glm::vec3(1e30f), glm::vec3(-1e30f)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (const double d : {range.low, range.high}) {
+            const dvec3 point = corners[i] + normals[i] * (d * scale);
+            box.low = glm::min(box.low, glm::vec3(point - radius));
+            box.high = glm::max(box.high, glm::vec3(point + radius));
+        }
+    }
+    box = with_rounding(box);
+    if ((p.flags & gpu::kPrimitiveSearched) != 0) return box;
+    // S also stays near the prism, whose box is the narrower one where the normals are spread.
+    const Box prism = prism_box(p);
+    const glm::vec3 sides = (prism.high - prism.low) * (2 * p.shell_margin);
+    return {glm::max(box.low, prism.low - sides), glm::min(box.high, prism.high + sides)};
+}
+
+void set_shell(gpu::Primitive& p, const gpu::PrimitiveNormals& n, const DisplacementRange& range) {
+    set_heights(p, range);
+    p.flags &= ~gpu::kPrimitiveSearched;
+    const double margin = shell_margin(p);
+    double cosine = 1;
+    for (const glm::vec3& normal : {n.n0, n.n1, n.n2}) cosine = std::min<double>(cosine, glm::dot(normal, p.ng));
+    p.shell_margin = static_cast<float>(std::min(margin, 1.0));
+    if ((p.flags & gpu::kPrimitiveFolded) == 0 && margin <= kMostShellMargin && cosine >= kLeastShellCosine) return;
+    p.flags |= gpu::kPrimitiveSearched;
+    const double slack = height_slack(p, range);
+    p.w_low = static_cast<float>(range.low - slack);
+    p.w_high = static_cast<float>(range.high + slack);
 }
 
 Box prism_box(const gpu::Primitive& p) {
     const glm::vec3 bitangent = glm::cross(p.ng, p.tangent);
-    // Where the parallel prism says little about the surface, the base triangle with room to every side does.
-    const bool by_reach = p.shell_margin > 0 && (p.flags & gpu::kPrimitiveFolded) != 0;
-    const float lean = by_reach ? 0.0f : 1.0f;
     Box box{glm::vec3(1e30f), glm::vec3(-1e30f)};
     for (const float w : {p.w_low, p.w_high}) {
-        const float shift = lean * w;
-        for (const glm::vec2& q :
-             {p.shift0 * shift, glm::vec2(p.q1x, 0) + p.shift1 * shift, p.q2 + p.shift2 * shift}) {
+        for (const glm::vec2& q : {p.shift0 * w, glm::vec2(p.q1x, 0) + p.shift1 * w, p.q2 + p.shift2 * w}) {
             const glm::vec3 corner = p.origin + p.tangent * q.x + bitangent * q.y + p.ng * w;
             box.low = glm::min(box.low, corner);
             box.high = glm::max(box.high, corner);
         }
     }
-    const float sides = by_reach ? 0.0f : 2 * p.shell_margin;
-    const glm::vec3 margin = (box.high - box.low) * (2e-5f + sides) +
-                             glm::max(glm::abs(box.low), glm::abs(box.high)) * 1e-6f +
-                             (by_reach ? static_cast<float>(lateral_reach(p)) : 0.0f);
-    return {box.low - margin, box.high + margin};
+    return with_rounding(box);
 }
 
 std::vector<std::uint32_t> spatial_order(const std::vector<Box>& boxes) {

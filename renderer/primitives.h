@@ -35,14 +35,17 @@ gpu::PrimitiveNormals primitive_normals(const Mesh& mesh, std::uint32_t face);
 
 // Sets w_low, w_high and the folded flag so that the prism holds the surface. Conservative.
 void set_heights(gpu::Primitive& primitive, const DisplacementRange& range);
-// For methods that meet S itself: S is displaced along N(b), the parallel prism along sum b_i N_i/(N_i.Ng), and the two
-// differ by at most the shell margin. Call after every change of heights; 0 without it.
-void set_shell_margin(gpu::Primitive& primitive);
 // Sets the prism's ends directly (heights along ng) and the folded flag with them.
 void extend_heights(gpu::Primitive& primitive, float w_low, float w_high);
+// For methods that meet S itself, in set_heights' stead: S is displaced along N(b), the parallel prism along
+// sum b_i N_i/(N_i.Ng), and the two differ by at most the shell margin. Where that is large, or the shell folds, the
+// primitive is flagged kPrimitiveSearched and its heights are the range itself.
+void set_shell(gpu::Primitive& primitive, const gpu::PrimitiveNormals& normals, const DisplacementRange& range);
 
-// Box of the prism between w_low and w_high, grown by its shell margin, a little larger than rounding needs.
+// Box of the prism between w_low and w_high, a little larger than rounding needs.
 Box prism_box(const gpu::Primitive& primitive);
+// Box of S over the triangle for displacements in the range, after set_shell with the same; likewise.
+Box surface_box(const gpu::Primitive& primitive, const gpu::PrimitiveNormals& normals, const DisplacementRange& range);
 
 // Order in which primitives are stored: recursive median split over the boxes' centres, because some drivers only
 // halve the index range (measured on lavapipe: rays 1.1 to 7 times faster).

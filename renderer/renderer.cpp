@@ -87,6 +87,7 @@ struct Renderer::State {
     void build_scene();
     void make_set();
     void make_passes();
+    void follow_search();
     void apply_parameters();
     void write_own_bindings();
     void run(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
@@ -99,8 +100,11 @@ struct Renderer::State {
 };
 
 void Renderer::State::build_scene() {
+    request.has_searched = false;
     features = derive_features(scene, request);
     gpu_scene.emplace(context, commands, scene, maps, features, mended.traced(features.mended_creases));
+    request.has_searched = gpu_scene->any_searched();
+    features = derive_features(scene, request);
 }
 
 void Renderer::State::build() {
@@ -167,7 +171,16 @@ void Renderer::State::make_passes() {
     constants[gpu::kSpecOpacity] = features.opacity ? 1 : 0;
     constants[gpu::kSpecGloss] = features.gloss ? 1 : 0;
     constants[gpu::kSpecSky] = features.sky ? 1 : 0;
+    constants[gpu::kSpecSearch] = features.searched ? 1 : 0;
     passes = vulkan::Passes(context, set_layout.get(), method->name, features.by_pipeline, constants);
+}
+
+// An edit may fold a shell for the first time.
+void Renderer::State::follow_search() {
+    if (gpu_scene->any_searched() == request.has_searched) return;
+    request.has_searched = gpu_scene->any_searched();
+    features = derive_features(scene, request);
+    make_passes();
 }
 
 void Renderer::State::apply_parameters() {
@@ -261,7 +274,9 @@ Renderer::~Renderer() { vkDeviceWaitIdle(state_->context.device()); }
 UploadStats Renderer::upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions) {
     state_->aov_is_fresh = state_->counts_are_fresh = false;
     state_->maps[object] = map;
-    return state_->gpu_scene->upload(object, map, regions);
+    const UploadStats stats = state_->gpu_scene->upload(object, map, regions);
+    state_->follow_search();
+    return stats;
 }
 
 void Renderer::set_camera(const Camera& camera) {
@@ -297,6 +312,7 @@ void Renderer::set_displacement(std::size_t object, double amplitude, double mid
     s.scene.objects[object].displacement.amplitude = amplitude;
     s.scene.objects[object].displacement.midlevel = midlevel;
     s.gpu_scene->set_displacement(object, amplitude, midlevel);
+    s.follow_search();
     s.restart();
 }
 

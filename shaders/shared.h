@@ -39,8 +39,9 @@ struct Primitive {
     float shell_margin;  // how far, in barycentrics, the surface may reach over the parallel prism's sides
 };
 RELIEVO_CONST uint kPrimitiveOpenEdge0 = 1u;  // bit i: the edge opposite vertex i belongs to this triangle alone
-RELIEVO_CONST uint kPrimitiveFolded = 8u;     // the offset triangle turns over between w_low and w_high, or
-                                              // (where shell_margin > 0) says too little about the surface
+RELIEVO_CONST uint kPrimitiveFolded = 8u;     // the offset triangle turns over between w_low and w_high
+RELIEVO_CONST uint kPrimitiveSearched = 16u;  // for methods that meet S itself: its shell folds, or stands far from the
+                                              // prism. w_low and w_high are then bounds of the displacement
 
 // What only a hit needs.
 struct PrimitiveNormals {
@@ -161,7 +162,8 @@ RELIEVO_CONST uint kSpecOpacity = 2u;
 RELIEVO_CONST uint kSpecGloss = 3u;
 RELIEVO_CONST uint kSpecSky = 4u;       // sky light with visibility rays
 RELIEVO_CONST uint kSpecNotes = 5u;     // kNotesNone, kNotesCounts or kNotesLog
-RELIEVO_CONST uint kSpecCount = 6u;
+RELIEVO_CONST uint kSpecSearch = 6u;    // triangles flagged kPrimitiveSearched are there
+RELIEVO_CONST uint kSpecCount = 7u;
 RELIEVO_CONST uint kNotesNone = 0u, kNotesCounts = 1u, kNotesLog = 2u;
 
 RELIEVO_CONST uint kGroupWidth = 8u;  // pixels a side of a compute workgroup

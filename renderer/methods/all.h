@@ -4,8 +4,8 @@
 #include "renderer/methods/registry.h"
 
 #define RELIEVO_METHODS(METHOD) \
-    METHOD(kPdm)                \
-    METHOD(kExact)
+    METHOD(kExact)              \
+    METHOD(kPdm)
 
 namespace relievo {
 

@@ -69,8 +69,7 @@ FUNC bool clip_folded(Primitive p, vec2 x0, vec2 xd, INOUT(float) low, INOUT(flo
     return low <= high;
 }
 
-// Clips the ray to the prism (a folded one's slab alone, where a shell margin tells that another shape holds the
-// surface: shell.glsl). `margin` widens the sides by that fraction of the base triangle's area, so that rays
+// Clips the ray to the prism. `margin` widens the sides by that fraction of the base triangle's area, so that rays
 // along a shared side belong to both neighbours and none is lost to rounding.
 FUNC bool enter_prism(Primitive p, vec3 o, vec3 d, float t_min, float t_max, float margin, OUT(PrismRay) r) {
     vec3 bitangent = cross(p.ng, p.tangent);
@@ -105,7 +104,7 @@ FUNC bool enter_prism(Primitive p, vec3 o, vec3 d, float t_min, float t_max, flo
     r.from_side = false;
     r.entry_edge = 0u;
     r.from_inside = false;
-    if ((p.flags & kPrimitiveFolded) != 0u) return p.shell_margin > 0.0f || clip_folded(p, x0, xd, r.low, r.high);
+    if ((p.flags & kPrimitiveFolded) != 0u) return clip_folded(p, x0, xd, r.low, r.high);
     float widen = margin * p.q1x * p.q2.y;
     bool entered = false;
     vec3 widened = vec3(widen, 0.0f, 0.0f);

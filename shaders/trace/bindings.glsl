@@ -9,6 +9,7 @@ layout(constant_id = 2) const bool kOpacity = true;
 layout(constant_id = 3) const bool kGloss = true;
 layout(constant_id = 4) const bool kSky = true;
 layout(constant_id = 5) const uint kNotes = 0u;  // kNotes* of shared.h
+layout(constant_id = 6) const bool kSearch = true;
 
 layout(set = 0, binding = kBindTlas) uniform accelerationStructureEXT scene_bvh;
 layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { FrameData frame; };
@@ -21,6 +22,9 @@ layout(set = 0, binding = kBindPyramids) uniform sampler2D pyramids[kObjects];
 layout(push_constant, scalar) uniform PushBlock { PushData push; };
 
 #include "notes.glsl"
+
+// Of the triangle that is being asked: few methods want them before the hit.
+PrimitiveNormals primitive_normals() { return normals[asked_primitive]; }
 
 ObjectData object_data(uint object) { return objects[kObjects == 1u ? 0u : object]; }
 

@@ -3,7 +3,7 @@ layout(set = 0, binding = kBindRayCounts, scalar) buffer RayCountBlock { uvec4 r
 layout(set = 0, binding = kBindNotes, scalar) buffer NoteBlock { uint note_count; uint note_spare[3]; Note notes[]; };
 
 uvec4 counted = uvec4(0u);    // boxes, steps, fetches, cells since the last flush
-uint noted_primitive = 0u;
+uint asked_primitive = 0u;     // the triangle whose method is running
 
 void count_fetch() { if (kNotes == kNotesCounts) ++counted.z; }
 
@@ -16,13 +16,13 @@ void note(uint kind, float t, vec2 texel, float height, float extent) {
     } else if (kNotes == kNotesLog) {
         uint i = atomicAdd(note_count, 1u);
         if (i >= kMaxNotes) return;
-        uint base = primitives[noted_primitive].base;
-        notes[i] = Note(kind, noted_primitive, t, height, texel + vec2(base & 0xffffu, base >> 16), extent, 0.0);
+        uint base = primitives[asked_primitive].base;
+        notes[i] = Note(kind, asked_primitive, t, height, texel + vec2(base & 0xffffu, base >> 16), extent, 0.0);
     }
 }
 
 void begin_notes(uint primitive) {
-    noted_primitive = primitive;
+    asked_primitive = primitive;
     note(kNoteBox, 0.0, vec2(0.0), 0.0, 0.0);
 }
 

@@ -58,20 +58,16 @@ TEST(Primitives, BoxHoldsEveryPointOfTheCanonicalSurface) {
         const Mesh mesh = random_triangle(rng, round % 2 == 0 ? 0.5 : 1.2);
         auto p = make_primitive(mesh, 0, 0, {64, 32}, false);
         ASSERT_TRUE(p);
-        const glm::dvec3 ng(p->ng);
         const Mesh::Face& f = mesh.faces[0];
         glm::dvec3 q[3], n[3];
-        bool upright = true;  // normals nearer to the plane than kLeastNormalCosine are bent
         for (std::size_t i = 0; i < 3; ++i) {
             q[i] = mesh.positions[f.position[i]];
             n[i] = mesh.normals[f.position[i]];
-            upright = upright && glm::dot(n[i], ng) > kLeastNormalCosine;
         }
-        if (!upright) continue;
         const double a = (u(rng) - 0.5) * 2, b = (u(rng) - 0.5) * 2;
-        set_heights(*p, {std::min(a, b), std::max(a, b)});
-        set_shell_margin(*p);
-        const Box box = prism_box(*p);
+        const DisplacementRange range{std::min(a, b), std::max(a, b)};
+        set_shell(*p, primitive_normals(mesh, 0), range);
+        const Box box = surface_box(*p, primitive_normals(mesh, 0), range);
         for (int i = 0; i < 60; ++i) {
             double b1 = u(rng), b2 = u(rng);
             if (b1 + b2 > 1) b1 = 1 - b1, b2 = 1 - b2;

@@ -1,35 +1,54 @@
 // Exact intersection with the canonical surface (ours; DESIGN.md section 4).
 //
-// The ray is followed through the triangle's shell by its tangent (geometry/shell.glsl). A stretch of at most 2^level
-// texels is skipped when all of it stays above (or below) the bounds of the cells under it, from a min-max pyramid
-// whose nodes overlap: one fetch bounds the two by two nodes that such a stretch can touch. The end of each stretch is
-// evaluated, so how far the path leaves its tangent is known, and is added to the stretch. Where nothing can be
-// skipped the cells are walked one by one; in a cell the height along the chord is a quadratic, solved, then polished
-// by Newton on S itself. Based on quadtree displacement mapping (Drobot 2009) and tessellation-free displacement
-// (Thonat and others 2021); the path, the overlap and the polish are ours.
+// The ray's path through the triangle's shell (geometry/shell.glsl) is cut into chords, each as long as its bend allows:
+// beside the chord the path stays within a part of a texel, its height is a quadratic of its own. A chord is walked by
+// stretches of at most 2^level texels; one that stays above (or below) the bounds of the cells under it is skipped, from a
+// min-max pyramid whose nodes overlap: one fetch bounds the two by two nodes that such a stretch can touch. Where nothing
+// can be skipped the cells are walked one by one; over a cell the height along the chord is a quadratic, solved, then
+// polished by Newton on S itself. Based on quadtree displacement mapping (Drobot 2009) and tessellation-free displacement
+// (Thonat and others 2021); the path, the overlap and the polish are ours. Triangles whose shell folds are searched by
+// patches instead (patch_search.glsl).
 //
-// What side of the surface the ray is on is carried along: a walk that starts on the other side has crossed.
-// Limits: a shell that folds inside one triangle (several b for one point) is followed on one sheet only; normals are
-// held to a cosine of kLeastNormalCosine to the triangle's own.
+// What side of the surface the ray is on is carried along: a cell that starts on the other side has been crossed.
 //
 // Parameters: x: correct_normals (0 or 1).
-const int kMaxStretches = 16384;     // per triangle: beyond, the ray counts as a miss
-const int kMaxCells = 6;             // a walk is at most 2 texels long
-const int kStartLevel = 3;
-const int kLeastLevel = -8;          // stretches shorter than a texel, where the path is sharply bent
+const int kMaxRounds = 4096;         // chords and leaves a triangle: beyond, the ray counts as a miss
+const int kMaxStretches = 512;       // between two leaves
+const int kMaxCells = 6;             // a leaf is at most 2 texels long
+const int kMaxTries = 8;             // for a chord's length
+const int kStartLevel = 2;
+const float kLongestChord = 24.0f;   // texels
 const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this, so that no ray slips between,
 const float kOpenMargin = 1e-6f;     // at an edge without neighbour: beyond it stands nothing
 const float kMostEdgeMargin = 1e-3f; // or by more where a far ray's rounding asks for it
-const float kBend = 0.05f;           // texels that a walked path may leave its chord,
+const float kBend = 0.05f;           // texels that the path may leave its chord,
 const float kChordError = 2e-3f;     // and what that may do to the height, of the amplitude
-const float kSeekSteps = 64.0f;      // of a path that looks for the way out of a fold
-const float kFirmBend = 0.1f;        // barycentric: beyond, one Newton step at a stretch's end is not trusted
+const float kFirmBend = 0.25f;       // barycentric: beyond, Newton's steps at a chord's end are not trusted
+
+struct Chord {       // the path as s goes from 0 to 1
+    float tau, span; // along the ray
+    vec2 b, db;
+    vec2 tx, d;
+    vec3 h;          // height: constant, linear and square coefficient in s
+    float bend;      // texels that the path may lie beside it
+};
+
+struct Walk {
+    Chord c;
+    ShellPoint end;  // of the chord
+    float s;         // reached
+    float longest;   // along the ray: of the next chord
+    float side;      // 1: above the surface, -1: below, 0: not known
+    int level;
+};
 
 FUNC float displacement(ObjectData ob, float value) { return ob.amplitude * (value - ob.midlevel); }
 
 FUNC bool in_triangle(vec2 b, vec3 margin) {
     return b.x >= -margin.y && b.y >= -margin.z && 1.0f - b.x - b.y >= -margin.x;
 }
+
+#include "patch_search.glsl"
 
 // The whole stretch lies outside the triangle, beyond one of its edges.
 FUNC bool stretch_outside(vec2 a, vec2 e, float bend, vec3 margin) {
@@ -53,12 +72,11 @@ FUNC bool first_root(vec3 c, float from, float to, OUT(float) root) {
 
 // Newton on S along the ray, in the bilinear patch of one cell, from a root on the chord. `rest` is the height that was
 // left before the last step: not small where no root is near.
-FUNC ShellPoint polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec4 quad, vec2 guess, float reach,
-                       INOUT(float) tau, OUT(float) rest) {
-    ShellPoint a;
-    for (int i = 0;; ++i) {
-        a = shell_point(p, s, r, tau, guess, i == 0 ? 2 : 1);
-        if (i == 2) return a;
+FUNC vec2 polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec4 quad, vec2 guess, float reach,
+                 INOUT(float) tau, OUT(float) rest) {
+    rest = 0.0f;
+    for (int i = 0; i < 2; ++i) {
+        ShellPoint a = shell_point(p, s, r, tau, guess, 1);
         vec2 f = a.tx - cell;
         float gx = (quad.y - quad.x) * (1.0f - f.y) + (quad.w - quad.z) * f.y;
         float gy = (quad.z - quad.x) * (1.0f - f.x) + (quad.w - quad.y) * f.x;
@@ -69,60 +87,133 @@ FUNC ShellPoint polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cel
         tau -= step_back;
         guess = a.b - a.db * step_back;
     }
+    return guess;
 }
 
-// Walks the cells under the chord from a (at tau) to e (span later). `side` is the side of the surface the ray is on.
-FUNC bool walk_cells(Primitive p, ObjectData ob, Shell s, PrismRay r, ShellPoint a, ShellPoint e, float tau, float span,
-                     float t_min, float tolerance, vec3 margin, INOUT(float) side, OUT(SurfaceHit) hit) {
+// The next chord, where the last one ended (which is before the ray leaves the shell).
+FUNC void start_chord(Primitive p, Shell shell, PrismRay r, INOUT(Walk) w) {
+    ShellPoint a = w.end;
+    float tau = w.c.tau + w.c.span;
+    float reach = kLongestChord / max(max(abs(a.dtx.x), abs(a.dtx.y)), 1e-20f);
+    float span = min(min(r.high - tau, reach), w.longest);
+    vec2 off = vec2(0.0f, 0.0f);
+    for (int k = 0; k < kMaxTries; ++k) {
+        w.end = shell_point(p, shell, r, tau + span, a.b + a.db * span, 2);
+        off = abs(w.end.tx - a.tx - a.dtx * span);
+        vec2 off_b = abs(w.end.b - a.b - a.db * span);
+        float over = max(max(off.x, off.y) * (0.5f / kBend), max(off_b.x, off_b.y) * (1.0f / kFirmBend));
+        if (over <= 1.0f) break;
+        span *= over < 64.0f ? 0.9f * inversesqrt(over) : 0.1f;  // NaN: the latter
+    }
+    Chord c;
+    c.tau = tau;
+    c.span = span;
+    c.b = a.b;
+    c.db = w.end.b - a.b;
+    c.tx = a.tx;
+    c.d = w.end.tx - a.tx;
+    c.h = vec3(a.h, a.dh * span, w.end.h - a.h - a.dh * span);
+    c.bend = 0.5f * max(off.x, off.y);
+    w.c = c;
+    w.longest = 2.0f * span;
+    w.s = 0.0f;
+}
+
+FUNC float height_on(Chord c, float s) { return c.h.x + s * (c.h.y + s * c.h.z); }
+
+// Along the chord until a stretch under which the surface may be: from w.s to `to`, less than two texels. False at the
+// chord's end. `relief`: how far heights lie apart there.
+FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, vec3 margin, float tolerance, INOUT(Walk) w, OUT(float) to,
+                    OUT(float) relief) {
+    Chord c = w.c;
     ivec2 base = primitive_base(p.base);
-    vec2 d = e.tx - a.tx;
-    float dh = e.h - a.h;
-    // Borders are counted, not found again from the position: on large maps that would round back into the last cell.
-    vec2 forward = vec2(d.x > 0.0f ? 1.0f : -1.0f, d.y > 0.0f ? 1.0f : -1.0f);
-    vec2 cell = floor(a.tx), apart = abs(d);
-    vec2 leave = vec2(apart.x > 1e-12f ? (d.x > 0.0f ? cell.x + 1.0f - a.tx.x : a.tx.x - cell.x) / apart.x : 1e30f,
-                      apart.y > 1e-12f ? (d.y > 0.0f ? cell.y + 1.0f - a.tx.y : a.tx.y - cell.y) / apart.y : 1e30f);
-    vec2 across = vec2(1.0f / max(apart.x, 1e-12f), 1.0f / max(apart.y, 1e-12f));
-    float from = 0.0f;
-    hit.t = 0.0f;
-    hit.b = vec2(0.0f, 0.0f);
-    for (int i = 0; i < kMaxCells; ++i) {
-        float to = min(max(min(leave.x, leave.y), from), 1.0f);
-        note(kNoteCell, r.t0 + tau + span * from, cell, a.h + dh * from, r.t0 + tau + span * to);
-        vec4 quad = height_quad(p.object, base + ivec2(cell));
-        // Height over the patch along the chord, from s = `from` on.
-        vec2 f = a.tx + d * from - cell;
-        float kx = quad.y - quad.x, ky = quad.z - quad.x, kxy = quad.x - quad.y - quad.z + quad.w;
-        vec3 c = vec3(a.h + dh * from - displacement(ob, quad.x + kx * f.x + ky * f.y + kxy * f.x * f.y),
-                      dh - ob.amplitude * (kx * d.x + ky * d.y + kxy * (f.x * d.y + f.y * d.x)),
-                      -ob.amplitude * kxy * d.x * d.y);
-        float root = 0.0f, after = 0.0f;
-        for (int k = 0; k < 3; ++k) {
-            bool crossed = k == 0 && c.x * side < 0.0f;  // since the last cell's end
-            if (!crossed && !first_root(c, after, to - from, root)) break;
-            float at = tau + span * (from + root);
-            vec2 guess = a.b + (e.b - a.b) * (from + root);
-            float rest = 0.0f;
-            ShellPoint h = polish(p, ob, s, r, cell, quad, guess, 0.1f * span, at, rest);
-            note(kNoteRoot, r.t0 + at, h.tx, h.h, 0.0f);
-            if (rest <= kChordError * abs(ob.amplitude) + tolerance && in_triangle(h.b, margin) && r.t0 + at >= t_min && opaque_at(p, h.b)) {
-                hit.t = r.t0 + at;
-                hit.b = h.b;
-                return true;
-            }
-            side = -side;
-            after = root + 1e-4f;
-        }
-        from = to;
-        if (from >= 1.0f) break;
-        if (leave.x < leave.y) {
-            cell.x += forward.x;
-            leave.x += across.x;
+    float texels = max(max(abs(c.d.x), abs(c.d.y)), 1e-20f);
+    to = w.s;
+    relief = 0.0f;
+    for (int k = 0; k < kMaxStretches && w.s < 1.0f; ++k) {
+        float s = w.s;
+        to = min(s + 0.9f * exp2(float(w.level)) / texels, 1.0f);
+        vec2 x0 = c.tx + c.d * s, x1 = c.tx + c.d * to;
+        vec2 low = min(x0, x1) - vec2(c.bend + 1e-3f);
+        float h0 = height_on(c, s), h1 = height_on(c, to), sag = 0.25f * (to - s) * (to - s) * abs(c.h.z);
+        note(kNoteStep, r.t0 + c.tau + c.span * s, x0, h0, (to - s) * texels);
+        vec2 bounds = map_bounds(p.object, w.level, base + ivec2(floor(low)));
+        float d0 = displacement(ob, bounds.x), d1 = displacement(ob, bounds.y);
+        bool above = min(h0, h1) - sag > max(d0, d1) + tolerance, below = max(h0, h1) + sag < min(d0, d1) - tolerance;
+        bool outside = stretch_outside(c.b + c.db * s, c.b + c.db * to, 1e-4f, margin);
+        if (outside || (above && w.side >= 0.0f) || (below && w.side <= 0.0f)) {
+            w.side = outside ? 0.0f : above ? 1.0f : -1.0f;
+            w.s = to;
+            w.level = min(w.level + 1, kPyramidLevels);
+        } else if (w.level > 1) {
+            --w.level;
         } else {
-            cell.y += forward.y;
-            leave.y += across.y;
+            relief = abs(d1 - d0);
+            return true;
         }
     }
+    return false;
+}
+
+// The cells under the leaf, from w.s to `to`.
+FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float t_min, float tolerance, vec3 margin,
+                     float to, INOUT(Walk) w, OUT(SurfaceHit) hit) {
+    Chord c = w.c;
+    ivec2 base = primitive_base(p.base);
+    float s = w.s, after = 0.0f;
+    // Borders are counted, not found again from the position: on large maps that would round back into the last cell.
+    vec2 x = c.tx + c.d * s, apart = abs(c.d), cell = floor(x);
+    vec2 forward = vec2(c.d.x > 0.0f ? 1.0f : -1.0f, c.d.y > 0.0f ? 1.0f : -1.0f);
+    vec2 across = vec2(1.0f / max(apart.x, 1e-12f), 1.0f / max(apart.y, 1e-12f));
+    vec2 leave = vec2(apart.x > 1e-12f ? s + (c.d.x > 0.0f ? cell.x + 1.0f - x.x : x.x - cell.x) * across.x : 1e30f,
+                      apart.y > 1e-12f ? s + (c.d.y > 0.0f ? cell.y + 1.0f - x.y : x.y - cell.y) * across.y : 1e30f);
+    hit.t = 0.0f;
+    hit.b = vec2(0.0f, 0.0f);
+    for (int i = 0; i < 3 * kMaxCells; ++i) {
+        // Until a root, or the leaf's end.
+        bool found = false;
+        float root = 0.0f;
+        vec4 quad = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+        for (int k = 0; k < kMaxCells && s < to; ++k) {
+            float end = min(max(min(leave.x, leave.y), s), to);
+            quad = height_quad(p.object, base + ivec2(cell));
+            float h = height_on(c, s);
+            note(kNoteCell, r.t0 + c.tau + c.span * s, cell, h, r.t0 + c.tau + c.span * end);
+            // Height over the patch along the chord, from s on.
+            vec2 f = c.tx + c.d * s - cell;
+            float kx = quad.y - quad.x, ky = quad.z - quad.x, kxy = quad.x - quad.y - quad.z + quad.w;
+            vec3 g = vec3(h - displacement(ob, quad.x + kx * f.x + ky * f.y + kxy * f.x * f.y),
+                          c.h.y + 2.0f * s * c.h.z - ob.amplitude * (kx * c.d.x + ky * c.d.y + kxy * (f.x * c.d.y + f.y * c.d.x)),
+                          c.h.z - ob.amplitude * kxy * c.d.x * c.d.y);
+            if (w.side == 0.0f) w.side = g.x < 0.0f ? -1.0f : 1.0f;
+            root = 0.0f;
+            bool crossed = after == 0.0f && g.x * w.side < 0.0f;  // since the last cell's end
+            found = crossed || first_root(g, after, end - s, root);
+            if (found) break;
+            after = 0.0f;
+            s = end;
+            if (leave.x < leave.y) {
+                cell.x += forward.x;
+                leave.x += across.x;
+            } else {
+                cell.y += forward.y;
+                leave.y += across.y;
+            }
+        }
+        if (!found) break;
+        float tau = c.tau + c.span * (s + root), rest = 0.0f;
+        vec2 b = polish(p, ob, shell, r, cell, quad, c.b + c.db * (s + root), 0.1f * c.span, tau, rest);
+        note(kNoteRoot, r.t0 + tau, texel_at(p, b), height_on(c, s + root), 0.0f);
+        if (rest <= kChordError * abs(ob.amplitude) + tolerance && in_triangle(b, margin) && r.t0 + tau >= t_min &&
+            opaque_at(p, b)) {
+            hit.t = r.t0 + tau;
+            hit.b = b;
+            return true;
+        }
+        w.side = -w.side;
+        after = root + 1e-4f;
+    }
+    w.s = to;
     return false;
 }
 
@@ -140,91 +231,42 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     vec3 margin = vec3((p.flags & kPrimitiveOpenEdge0) != 0u ? kOpenMargin : shared_margin,
                        (p.flags & (kPrimitiveOpenEdge0 << 1)) != 0u ? kOpenMargin : shared_margin,
                        (p.flags & (kPrimitiveOpenEdge0 << 2)) != 0u ? kOpenMargin : shared_margin);
-    if (!enter_shell(p, o, d, t_min, t_max, shared_margin, r)) return false;
-    Shell s = make_shell(p);
-    float tau = r.low;
-    ShellPoint a;
-    a.h = 0.0f;
-    a.tx = vec2(0.0f, 0.0f);
-    // Through the top or the bottom of its own height range the side is known; else it is looked up when needed.
-    float side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
+    if (kSearch && (p.flags & kPrimitiveSearched) != 0u)
+        return search_patches(p, primitive_normals(), ob, o, d, t_min, t_max, rounding, margin, hit);
+    if (!enter_prism(p, o, d, t_min, t_max, shared_margin + p.shell_margin, r)) return false;
+    Shell shell = make_shell(p);
     float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high)) + rounding;
-    ivec2 base = primitive_base(p.base);
-    bool folded = (p.flags & kPrimitiveFolded) != 0u, lost = true, sought = false;
-    float coarse = (r.high - r.low) / kSeekSteps, stride = coarse;
-    float highest = 1.02f * max(abs(p.w_low), abs(p.w_high));
-    int level = kStartLevel;
-    for (int i = 0; i < kMaxStretches && tau < r.high; ++i) {
-        if (folded && !(abs(a.h) <= highest)) lost = true;
-        // One place for all points of the path: they are most of this shader's code.
-        float reach = exp2(float(level));
-        float end = lost ? tau : min(tau + 0.9f * reach / max(max(abs(a.dtx.x), abs(a.dtx.y)), 1e-20f), r.high);
-        float span = end - tau;
-        vec2 guess = lost ? guess_shell_point(p, s, r, tau) : a.b + a.db * span;
-        note(kNoteStep, r.t0 + tau, a.tx, a.h, reach);
-        ShellPoint e = shell_point(p, s, r, end, guess, lost ? (folded ? 4 : 2) : 1);
-        // Higher than the surface's own heights there may be folds of the shell: on to where the ray leaves them.
-        // They are sought in two rounds, the second where the first came into them.
-        if (folded && lost && !(abs(e.h) <= highest)) {
-            tau = end + stride;
-            sought = true;
-            side = 0.0f;
+    vec3 entry = prism_barycentrics(r, r.low);
+    Walk w;
+    w.end = shell_point(p, shell, r, r.low, vec2(entry.y, entry.z), 2);
+    w.c.tau = r.low;
+    w.c.span = 0.0f;
+    w.s = 1.0f;
+    w.longest = 1e30f;
+    w.level = kStartLevel;
+    // Through the top or the bottom of its own height range the side is known; else the first cell tells.
+    w.side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
+    for (int i = 0; i < kMaxRounds; ++i) {
+        if (w.s >= 1.0f) {
+            if (!(w.c.tau + w.c.span < r.high)) break;
+            start_chord(p, shell, r, w);
+        }
+        float to, relief;
+        if (!seek_leaf(p, ob, r, margin, tolerance, w, to, relief)) {
+            w.s = 1.0f;
             continue;
         }
-        if (lost && sought && stride == coarse) {
-            tau = end - stride;
-            stride = coarse / kSeekSteps;
-            tau += stride;
+        float error = w.c.bend * relief, most = kChordError * abs(ob.amplitude);
+        if (error > most && w.c.span > 1e-4f * (r.high - r.low)) {
+            // Too bent for what stands here: a shorter chord from here on.
+            w.longest = w.c.span * 0.9f * sqrt(most / error);
+            w.c.tau += w.c.span * w.s;
+            w.end = shell_point(p, shell, r, w.c.tau, w.c.b + w.c.db * w.s, 1);
+            w.c.span = 0.0f;
+            w.s = 1.0f;
             continue;
         }
-        if (lost) {
-            a = e;
-            lost = false;
-            sought = false;
-            stride = coarse;
-            if (!in_triangle(a.b, margin)) side = 0.0f;
-            continue;
-        }
-        vec2 off = abs(e.tx - a.tx - a.dtx * span);
-        float bend = 0.5f * max(off.x, off.y), bend_h = 0.5f * abs(e.h - a.h - a.dh * span);
-        // A node of the pyramid holds any stretch of its level's length that begins in it.
-        vec2 low = min(a.tx, e.tx) - vec2(bend + 1e-3f), extent = max(a.tx, e.tx) + vec2(bend + 1e-3f) - low;
-        float most = max(reach, 2.0f);
-        bool held = extent.x <= most && extent.y <= most;  // false for NaN as well
-        vec2 off_b = abs(e.b - a.b - a.db * span);
-        bool firm = held && off_b.x <= kFirmBend && off_b.y <= kFirmBend;
-        if (!firm && level > kLeastLevel) {
-            --level;
-            continue;
-        }
-        if (!held || stretch_outside(a.b, e.b, 0.5f * max(off_b.x, off_b.y), margin)) {
-            tau = end > tau ? end : r.high;
-            a = e;
-            lost = !held;
-            side = 0.0f;
-            level = min(level + 1, kPyramidLevels);
-            continue;
-        }
-        if (side == 0.0f)
-            side = a.h >= displacement(ob, map_value(p.object, base, a.tx)) ? 1.0f : -1.0f;
-        vec2 bounds = map_bounds(p.object, max(level, 1), base + ivec2(floor(low)));
-        float d0 = displacement(ob, bounds.x), d1 = displacement(ob, bounds.y);
-        bool clear = side > 0.0f ? min(a.h, e.h) - bend_h > max(d0, d1) + tolerance
-                                 : max(a.h, e.h) + bend_h < min(d0, d1) - tolerance;
-        if (clear) {
-            tau = end;
-            a = e;
-            level = min(level + 1, kPyramidLevels);
-            continue;
-        }
-        bool bent = bend > kBend || bend * abs(d1 - d0) + bend_h > kChordError * abs(ob.amplitude);
-        if (level > 1 || (bent && level > kLeastLevel)) {
-            --level;
-            continue;
-        }
-        if (walk_cells(p, ob, s, r, a, e, tau, span, t_min, tolerance, margin, side, hit)) return hit.t <= t_max;
-        tau = end > tau ? end : r.high;
-        a = e;
+        if (solve_leaf(p, ob, shell, r, t_min, tolerance, margin, to, w, hit)) return hit.t <= t_max;
     }
     return false;
 }
