@@ -1,6 +1,7 @@
 // See film.h.
 #include "renderer/film.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -63,9 +64,22 @@ void Film::clear(vulkan::Commands& commands, const PixelRect& window) const {
 
 void Film::make_aov(vulkan::Context& context) {
     if (has_aov()) return;
-    const auto pixels = static_cast<VkDeviceSize>(width_) * static_cast<VkDeviceSize>(height_);
-    aov_ = vulkan::Buffer(context, pixels * sizeof(gpu::AovPixel) + 64, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(context.physical_device(), &properties);
+    const VkDeviceSize row = static_cast<VkDeviceSize>(width_) * sizeof(gpu::AovPixel);
+    const VkDeviceSize most = (properties.limits.maxStorageBufferRange - 64) / row;
+    aov_rows_ = static_cast<int>(std::clamp<VkDeviceSize>(most, 1, static_cast<VkDeviceSize>(height_)));
+    aov_ = vulkan::Buffer(context, static_cast<VkDeviceSize>(aov_rows_) * row + 64, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                           vulkan::Access::host);
+    if (aov_rows_ < height_) kept_aov_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+}
+
+void Film::keep_aov(const PixelRect& window) {
+    if (kept_aov_.empty()) return;
+    const auto* from = aov_.as<gpu::AovPixel>() + window.x0;
+    for (int y = window.y0; y < window.y1; ++y, from += width_)
+        std::copy_n(from, window.x1 - window.x0,
+                    kept_aov_.begin() + static_cast<std::ptrdiff_t>(y) * width_ + window.x0);
 }
 
 void Film::make_ray_counts(vulkan::Context& context) {
@@ -125,7 +139,7 @@ std::vector<float> Film::layer(Layer layer, const PixelRect& window) const {
     std::vector<float> result;
     const auto add = [&](const glm::vec3& v) { result.insert(result.end(), {v.x, v.y, v.z}); };
     const auto add_pixel = [&](std::size_t i) {
-        const auto* from = aov_.as<gpu::AovPixel>();
+        const auto* from = kept_aov_.empty() ? aov_.as<gpu::AovPixel>() : kept_aov_.data();
         switch (layer) {
             case Layer::depth: return result.push_back(from[i].depth);
             case Layer::normal: return add(from[i].normal);

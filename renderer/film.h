@@ -22,6 +22,10 @@ class Film {
 
     void clear(vulkan::Commands& commands, const PixelRect& window) const;
     void make_aov(vulkan::Context& context);  // at the first wish for a layer
+    // Rows of the image that the AOV buffer holds at once: all, but of images beyond the device's largest buffer.
+    int aov_rows() const { return aov_rows_; }
+    // After a window of so many rows at most was traced: it is kept where the buffer does not hold the whole image.
+    void keep_aov(const PixelRect& window);
     bool has_aov() const { return aov_.bytes() > 64; }
     void make_ray_counts(vulkan::Context& context);  // at the first wish for them
     bool has_ray_counts() const { return ray_counts_.bytes() > 64; }
@@ -40,7 +44,9 @@ class Film {
 
   private:
     int width_ = 0, height_ = 0;
+    int aov_rows_ = 0;
     vulkan::Buffer accumulation_, counts_, aov_, ray_counts_;
+    std::vector<gpu::AovPixel> kept_aov_;  // the whole image, where the buffer does not hold it
     vulkan::Image display_;  // in layout GENERAL, but for the moment of a copy
 };
 

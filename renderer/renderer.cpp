@@ -399,10 +399,16 @@ double Renderer::trace_layers(const PixelRect& window, bool with_counts) {
     // Counts of whole rows are cleared, of which the window may be a part.
     if (with_counts) s.counts_are_fresh = false;
     Stopwatch watch;
-    gpu::PushData push{};
-    push.offset = {w.x0, w.y0};
-    push.extent = {w.x1 - w.x0, w.y1 - w.y0};
-    s.run_unjittered(with_counts ? vulkan::Pass::counts : vulkan::Pass::aov, push, push.extent.x, push.extent.y);
+    const bool whole_fits = s.film.aov_rows() == height();
+    for (int y0 = w.y0; y0 < w.y1; y0 += s.film.aov_rows()) {
+        const int y1 = std::min(w.y1, y0 + s.film.aov_rows());
+        gpu::PushData push{};
+        push.offset = {w.x0, y0};
+        push.extent = {w.x1 - w.x0, y1 - y0};
+        push.first_row = whole_fits ? 0 : static_cast<std::uint32_t>(y0);
+        s.run_unjittered(with_counts ? vulkan::Pass::counts : vulkan::Pass::aov, push, push.extent.x, push.extent.y);
+        s.film.keep_aov({w.x0, y0, w.x1, y1});
+    }
     return watch.lap_ms();
 }
 

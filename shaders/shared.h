@@ -95,7 +95,7 @@ struct PushData {
     uint sample_index;  // seeds the sampling; 0 for the first
     uint preview;       // 1: shadows of lights only, shown until the first real sample
     uint ray_count;     // pick: rays in the buffer
-    uint spare;
+    uint first_row;     // layers: the image's row that their buffer begins with
 };
 
 struct PickRay {

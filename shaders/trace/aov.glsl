@@ -24,5 +24,5 @@ void aov_main(ivec2 local) {
         a.uv = uv_at(p, h.b);
         a.id = float(p.object + 1u);
     }
-    aov[pixel] = a;
+    aov[pixel - push.first_row * uint(frame.size.x)] = a;
 }

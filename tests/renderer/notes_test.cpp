@@ -47,6 +47,30 @@ TEST_P(Notes, LayersTracedWindowByWindowAreThoseOfTheWhole) {
     }
 }
 
+TEST_P(Notes, LayersOfAnImageLargerThanTheDevicesLargestBufferAreWhole) {
+    const Scene scene = make_scene(plane_mesh(), 0.2);
+    const TestMap map = bumps(64);
+    RenderSettings settings = settings_of(scene);
+    settings.width = 512;
+    settings.height = 6700;  // of 40 bytes a pixel: beyond the 128 MiB that a device may have as its limit
+    Renderer r = make_renderer(scene, map, settings);
+    std::vector<Ray> rays;
+    for (int y = 0; y < settings.height; y += 134)
+        for (int x = 0; x < settings.width; x += 101) rays.push_back(r.camera_ray(x + 0.5, y + 0.5));
+    const auto depth = r.read_back(Layer::depth);
+    const auto picked = r.pick(rays);
+    std::size_t next = 0, hits = 0;
+    for (int y = 0; y < settings.height; y += 134)
+        for (int x = 0; x < settings.width; x += 101) {
+            const PickHit& one = picked[next++];
+            const float here = depth[static_cast<std::size_t>(y) * 512 + static_cast<std::size_t>(x)];
+            ASSERT_EQ(one.hit, std::isfinite(here)) << x << ", " << y;
+            if (one.hit) ASSERT_NEAR(one.distance, here, 1e-5f);
+            hits += one.hit ? 1 : 0;
+        }
+    EXPECT_GT(hits, 20u);
+}
+
 TEST_P(Notes, CountsAreTakenAgainAfterAnEdit) {
     const Scene scene = make_scene(plane_mesh(), 0.3);
     TestMap map = make_map(64, 64, [](double, double) { return 0.5; });
