@@ -1,5 +1,6 @@
 // relievo explain SCENE: what the scene needs, what was left out, and why.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -78,13 +79,15 @@ std::string method_line(const Subject& subject) {
     return line;
 }
 
-void print_part(const FeatureReport& report, bool built) {
+void print_line(int width, const std::string& name, std::uint64_t bytes, const std::string& reason) {
+    std::printf("  %-*s %9s   %s\n", width, name.c_str(), bytes > 0 ? bytes_text(bytes).c_str() : "",
+                reason.c_str());
+}
+
+void print_part(const FeatureReport& report, bool built, int width) {
     std::printf("\n%s\n", built ? "built" : "left out");
-    for (const Feature& feature : report.features) {
-        if (feature.built != built) continue;
-        const std::string bytes = feature.bytes > 0 ? bytes_text(feature.bytes) : "";
-        std::printf("  %-22s %9s   %s\n", feature.name.c_str(), bytes.c_str(), feature.reason.c_str());
-    }
+    for (const Feature& feature : report.features)
+        if (feature.built == built) print_line(width, feature.name, feature.bytes, feature.reason);
 }
 
 void print_text(const Subject& subject) {
@@ -100,10 +103,12 @@ void print_text(const Subject& subject) {
         std::printf("object  %s: %zu triangles%s\n", object.mesh_path.filename().string().c_str(),
                     object.mesh.faces.size(), size.c_str());
     }
-    print_part(subject.report, true);
-    std::printf("  %-22s %9s   of device memory\n", "together",
-                bytes_text(subject.report.bytes_total).c_str());
-    print_part(subject.report, false);
+    std::size_t width = 0;
+    for (const Feature& feature : subject.report.features) width = std::max(width, feature.name.size());
+    const int column = static_cast<int>(width);
+    print_part(subject.report, true, column);
+    print_line(column, "together", subject.report.bytes_total, "of device memory");
+    print_part(subject.report, false, column);
 }
 
 int run_explain(const ExplainOptions& options) {
