@@ -12,8 +12,8 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Beyond these the parallel prism says too little about where the surface is: barycentric, and the least cosine of a
-// vertex normal to ng.
+// Beyond these the parallel prism says too little about where the surface is: barycentric, and the least
+// cosine of a vertex normal to ng.
 constexpr double kMostShellMargin = 0.25;
 constexpr double kLeastShellCosine = 0.15;
 
@@ -183,7 +183,8 @@ Box with_rounding(const Box& box) {
 }  // namespace
 
 Box surface_box(const gpu::Primitive& p, const gpu::PrimitiveNormals& n, const DisplacementRange& range) {
-    // S lies in the hull of P_i + D_low N_i s and P_i + D_high N_i s, s the middle of 1/|N|, grown by what |N| varies.
+    // S lies in the hull of P_i + D_low N_i s and P_i + D_high N_i s, s the middle of 1/|N|, grown by what
+    // |N| varies.
     const std::array<dvec3, 3> normals{n.n0, n.n1, n.n2};
     const dvec3 tangent = p.tangent, bitangent = glm::cross(dvec3(p.ng), tangent), origin = p.origin;
     const std::array<dvec3, 3> corners{origin, origin + tangent * double{p.q1x},
@@ -216,9 +217,11 @@ void set_shell(gpu::Primitive& p, const gpu::PrimitiveNormals& n, const Displace
     p.flags &= ~gpu::kPrimitiveSearched;
     const double margin = shell_margin(p);
     double cosine = 1;
-    for (const glm::vec3& normal : {n.n0, n.n1, n.n2}) cosine = std::min<double>(cosine, glm::dot(normal, p.ng));
+    for (const glm::vec3& normal : {n.n0, n.n1, n.n2})
+        cosine = std::min<double>(cosine, glm::dot(normal, p.ng));
     p.shell_margin = static_cast<float>(std::min(margin, 1.0));
-    if ((p.flags & gpu::kPrimitiveFolded) == 0 && margin <= kMostShellMargin && cosine >= kLeastShellCosine) return;
+    const bool folded = (p.flags & gpu::kPrimitiveFolded) != 0;
+    if (!folded && margin <= kMostShellMargin && cosine >= kLeastShellCosine) return;
     p.flags |= gpu::kPrimitiveSearched;
     const double slack = height_slack(p, range);
     p.w_low = static_cast<float>(range.low - slack);

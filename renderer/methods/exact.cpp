@@ -16,11 +16,12 @@ const Method kExact{
     "exact",
     "Exact intersection",
     "Relievo; after quadtree displacement mapping (Drobot 2009) and Thonat and others 2021",
-    "Where the shell folds over itself inside one triangle, one of its sheets is followed.",
+    "Triangles whose shell folds or leans far are searched by patches: right, but many times slower. What the ray touches "
+    "within rounding may be met or passed.",
     GeometryKind::surface_bounds,
     true,
     kParameters,
-    16384,
+    32768,
 };
 
 }  // namespace relievo

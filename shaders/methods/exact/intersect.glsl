@@ -12,17 +12,22 @@
 // What side of the surface the ray is on is carried along: a cell that starts on the other side has been crossed.
 //
 // Parameters: x: correct_normals (0 or 1).
-const int kMaxRounds = 4096;         // chords and leaves a triangle: beyond, the ray counts as a miss
-const int kMaxStretches = 512;       // between two leaves
+const int kMaxStretches = 32768;     // a triangle: beyond, the ray counts as a miss
 const int kMaxCells = 6;             // a leaf is at most 2 texels long
 const int kMaxTries = 8;             // for a chord's length
 const int kStartLevel = 2;
 const float kLongestChord = 24.0f;   // texels
 const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this, so that no ray slips between,
-const float kOpenMargin = 1e-6f;     // at an edge without neighbour: beyond it stands nothing
+const float kOpenMargin = 2e-7f;     // at an edge without neighbour: beyond it stands nothing
 const float kMostEdgeMargin = 1e-3f; // or by more where a far ray's rounding asks for it
 const float kBend = 0.05f;           // texels that the path may leave its chord,
-const float kChordError = 2e-3f;     // and what that may do to the height, of the amplitude
+const float kHeightError = 1e-4f;    // how far its height may leave the quadratic, of the amplitude
+const float kSureError = 2e-6f;      // a gap to the surface wider than this, or than the chord's error, is no hit
+const float kRefinement = 0.2f;      // of a chord too bent to tell,
+const float kLeastSpan = 1e-4f;      // down to this part of the path
+const float kBorder = 2e-4f;         // texels
+const float kRest = 3e-6f;           // and one narrower than this is, after Newton's steps,
+const float kLastStep = 1e-3f;       // or one whose last step was shorter than this, in texels and barycentrics
 const float kFirmBend = 0.25f;       // barycentric: beyond, Newton's steps at a chord's end are not trusted
 
 struct Chord {       // the path as s goes from 0 to 1
@@ -31,6 +36,7 @@ struct Chord {       // the path as s goes from 0 to 1
     vec2 tx, d;
     vec3 h;          // height: constant, linear and square coefficient in s
     float bend;      // texels that the path may lie beside it
+    float error;     // of the height
 };
 
 struct Walk {
@@ -40,6 +46,7 @@ struct Walk {
     float longest;   // along the ray: of the next chord
     float side;      // 1: above the surface, -1: below, 0: not known
     int level;
+    int stretches;   // walked
 };
 
 FUNC float displacement(ObjectData ob, float value) { return ob.amplitude * (value - ob.midlevel); }
@@ -49,13 +56,6 @@ FUNC bool in_triangle(vec2 b, vec3 margin) {
 }
 
 #include "patch_search.glsl"
-
-// The whole stretch lies outside the triangle, beyond one of its edges.
-FUNC bool stretch_outside(vec2 a, vec2 e, float bend, vec3 margin) {
-    vec3 ba = vec3(1.0f - a.x - a.y, a.x, a.y), be = vec3(1.0f - e.x - e.y, e.x, e.y);
-    vec3 m = max(ba, be) + vec3(bend) + margin;
-    return min(min(m.x, m.y), m.z) < 0.0f;
-}
 
 // Smallest root of c.x + c.y s + c.z s^2 in [from, to]; false when there is none.
 FUNC bool first_root(vec3 c, float from, float to, OUT(float) root) {
@@ -70,40 +70,46 @@ FUNC bool first_root(vec3 c, float from, float to, OUT(float) root) {
     return root >= from && root <= to;
 }
 
-// Newton on S along the ray, in the bilinear patch of one cell, from a root on the chord. `rest` is the height that was
-// left before the last step: not small where no root is near.
-FUNC vec2 polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec4 quad, vec2 guess, float reach,
-                 INOUT(float) tau, OUT(float) rest) {
-    rest = 0.0f;
-    for (int i = 0; i < 2; ++i) {
-        ShellPoint a = shell_point(p, s, r, tau, guess, 1);
+// Newton on S along the ray, in the bilinear patch of one cell, from a root on the chord. False where no root is near.
+// `enough`: a gap to the surface that is closed.
+FUNC bool polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec4 quad, float reach, float enough,
+                 INOUT(vec2) b, INOUT(float) tau) {
+    for (int i = 0; i < 4; ++i) {
+        ShellPoint a = shell_point(p, s, r, tau, b, 1);
         vec2 f = a.tx - cell;
         float gx = (quad.y - quad.x) * (1.0f - f.y) + (quad.w - quad.z) * f.y;
         float gy = (quad.z - quad.x) * (1.0f - f.x) + (quad.w - quad.y) * f.x;
         float slope = a.dh - ob.amplitude * (gx * a.dtx.x + gy * a.dtx.y);
         float gap = a.h - displacement(ob, bilinear(quad, f));
-        rest = abs(gap);
         float step_back = slope != 0.0f ? clamp(gap / slope, -reach, reach) : 0.0f;
         tau -= step_back;
-        guess = a.b - a.db * step_back;
+        b = a.b - a.db * step_back;
+        float rounding = 2e-6f * max(abs(a.tx.x), abs(a.tx.y));
+        bool last = abs(step_back) * max(abs(a.dtx.x), abs(a.dtx.y)) <= kLastStep + rounding &&
+                    abs(step_back) * max(abs(a.db.x), abs(a.db.y)) <= kLastStep;
+        if (i > 0 && (abs(gap) <= enough || last)) return true;
     }
-    return guess;
+    return false;
 }
 
 // The next chord, where the last one ended (which is before the ray leaves the shell).
-FUNC void start_chord(Primitive p, Shell shell, PrismRay r, INOUT(Walk) w) {
+FUNC void start_chord(Primitive p, Shell shell, PrismRay r, float most_error, float least_span,
+                      INOUT(Walk) w) {
     ShellPoint a = w.end;
     float tau = w.c.tau + w.c.span;
     float reach = kLongestChord / max(max(abs(a.dtx.x), abs(a.dtx.y)), 1e-20f);
     float span = min(min(r.high - tau, reach), w.longest);
     vec2 off = vec2(0.0f, 0.0f);
+    float error = 0.0f;
     for (int k = 0; k < kMaxTries; ++k) {
         w.end = shell_point(p, shell, r, tau + span, a.b + a.db * span, 2);
         off = abs(w.end.tx - a.tx - a.dtx * span);
         vec2 off_b = abs(w.end.b - a.b - a.db * span);
-        float over = max(max(off.x, off.y) * (0.5f / kBend), max(off_b.x, off_b.y) * (1.0f / kFirmBend));
+        // The quadratic through both heights and the first slope is off by a cubic that the last slope tells.
+        error = 0.15f * abs((w.end.dh + a.dh) * span - 2.0f * (w.end.h - a.h));
+        float over = max(max(max(off.x, off.y) * (0.5f / kBend), max(off_b.x, off_b.y) * (1.0f / kFirmBend)), error / most_error);
         if (over <= 1.0f) break;
-        span *= over < 64.0f ? 0.9f * inversesqrt(over) : 0.1f;  // NaN: the latter
+        span = max(span * (over < 64.0f ? 0.9f * inversesqrt(over) : 0.1f), least_span);  // NaN: the latter
     }
     Chord c;
     c.tau = tau;
@@ -114,6 +120,7 @@ FUNC void start_chord(Primitive p, Shell shell, PrismRay r, INOUT(Walk) w) {
     c.d = w.end.tx - a.tx;
     c.h = vec3(a.h, a.dh * span, w.end.h - a.h - a.dh * span);
     c.bend = 0.5f * max(off.x, off.y);
+    c.error = error;
     w.c = c;
     w.longest = 2.0f * span;
     w.s = 0.0f;
@@ -122,45 +129,43 @@ FUNC void start_chord(Primitive p, Shell shell, PrismRay r, INOUT(Walk) w) {
 FUNC float height_on(Chord c, float s) { return c.h.x + s * (c.h.y + s * c.h.z); }
 
 // Along the chord until a stretch under which the surface may be: from w.s to `to`, less than two texels. False at the
-// chord's end. `relief`: how far heights lie apart there.
-FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, vec3 margin, float tolerance, INOUT(Walk) w, OUT(float) to,
-                    OUT(float) relief) {
+// chord's end.
+FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INOUT(Walk) w, OUT(float) to) {
     Chord c = w.c;
     ivec2 base = primitive_base(p.base);
     float texels = max(max(abs(c.d.x), abs(c.d.y)), 1e-20f);
     to = w.s;
-    relief = 0.0f;
-    for (int k = 0; k < kMaxStretches && w.s < 1.0f; ++k) {
+    for (; w.stretches < kMaxStretches && w.s < 1.0f; ++w.stretches) {
         float s = w.s;
         to = min(s + 0.9f * exp2(float(w.level)) / texels, 1.0f);
         vec2 x0 = c.tx + c.d * s, x1 = c.tx + c.d * to;
         vec2 low = min(x0, x1) - vec2(c.bend + 1e-3f);
-        float h0 = height_on(c, s), h1 = height_on(c, to), sag = 0.25f * (to - s) * (to - s) * abs(c.h.z);
+        float h0 = height_on(c, s), h1 = height_on(c, to), sag = 0.25f * (to - s) * (to - s) * abs(c.h.z) + c.error;
         note(kNoteStep, r.t0 + c.tau + c.span * s, x0, h0, (to - s) * texels);
         vec2 bounds = map_bounds(p.object, w.level, base + ivec2(floor(low)));
         float d0 = displacement(ob, bounds.x), d1 = displacement(ob, bounds.y);
         bool above = min(h0, h1) - sag > max(d0, d1) + tolerance, below = max(h0, h1) + sag < min(d0, d1) - tolerance;
-        bool outside = stretch_outside(c.b + c.db * s, c.b + c.db * to, 1e-4f, margin);
-        if (outside || (above && w.side >= 0.0f) || (below && w.side <= 0.0f)) {
-            w.side = outside ? 0.0f : above ? 1.0f : -1.0f;
+        if ((above && w.side >= 0.0f) || (below && w.side <= 0.0f)) {
+            w.side = above ? 1.0f : -1.0f;
             w.s = to;
             w.level = min(w.level + 1, kPyramidLevels);
         } else if (w.level > 1) {
             --w.level;
         } else {
-            relief = abs(d1 - d0);
             return true;
         }
     }
     return false;
 }
 
-// The cells under the leaf, from w.s to `to`.
+// The cells under the leaf, from w.s to `to`. `unsure`: the ray comes nearer to the surface, without a hit, than the
+// chord's own error, and that is more than `sure`; then nothing is decided.
 FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float t_min, float tolerance, vec3 margin,
-                     float to, INOUT(Walk) w, OUT(SurfaceHit) hit) {
+                     float to, float sure, INOUT(Walk) w, OUT(bool) unsure, OUT(SurfaceHit) hit) {
     Chord c = w.c;
     ivec2 base = primitive_base(p.base);
-    float s = w.s, after = 0.0f;
+    float s = w.s, after = 0.0f, enough = kRest * abs(ob.amplitude) + 0.5f * tolerance;
+    unsure = false;
     // Borders are counted, not found again from the position: on large maps that would round back into the last cell.
     vec2 x = c.tx + c.d * s, apart = abs(c.d), cell = floor(x);
     vec2 forward = vec2(c.d.x > 0.0f ? 1.0f : -1.0f, c.d.y > 0.0f ? 1.0f : -1.0f);
@@ -174,6 +179,7 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
         bool found = false;
         float root = 0.0f;
         vec4 quad = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+        vec3 g = vec3(0.0f, 0.0f, 0.0f);
         for (int k = 0; k < kMaxCells && s < to; ++k) {
             float end = min(max(min(leave.x, leave.y), s), to);
             quad = height_quad(p.object, base + ivec2(cell));
@@ -182,7 +188,7 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
             // Height over the patch along the chord, from s on.
             vec2 f = c.tx + c.d * s - cell;
             float kx = quad.y - quad.x, ky = quad.z - quad.x, kxy = quad.x - quad.y - quad.z + quad.w;
-            vec3 g = vec3(h - displacement(ob, quad.x + kx * f.x + ky * f.y + kxy * f.x * f.y),
+            g = vec3(h - displacement(ob, quad.x + kx * f.x + ky * f.y + kxy * f.x * f.y),
                           c.h.y + 2.0f * s * c.h.z - ob.amplitude * (kx * c.d.x + ky * c.d.y + kxy * (f.x * c.d.y + f.y * c.d.x)),
                           c.h.z - ob.amplitude * kxy * c.d.x * c.d.y);
             if (w.side == 0.0f) w.side = g.x < 0.0f ? -1.0f : 1.0f;
@@ -190,6 +196,13 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
             bool crossed = after == 0.0f && g.x * w.side < 0.0f;  // since the last cell's end
             found = crossed || first_root(g, after, end - s, root);
             if (found) break;
+            // The least gap in the cell, at its end or where the quadratic turns.
+            float u = end - s, turn = g.z * w.side > 0.0f ? clamp(-0.5f * g.y / g.z, after, u) : u;
+            float gap = min((g.x + u * (g.y + u * g.z)) * w.side, (g.x + turn * (g.y + turn * g.z)) * w.side);
+            // What the path's bend may do to the height over this cell.
+            float slopes = max(abs(kx), abs(quad.w - quad.z)) + max(abs(ky), abs(quad.w - quad.y));
+            float error = 1.5f * c.bend * slopes * abs(ob.amplitude) + c.error;
+            unsure = unsure || (gap < error && error > sure);
             after = 0.0f;
             s = end;
             if (leave.x < leave.y) {
@@ -200,20 +213,26 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
                 leave.y += across.y;
             }
         }
-        if (!found) break;
-        float tau = c.tau + c.span * (s + root), rest = 0.0f;
-        vec2 b = polish(p, ob, shell, r, cell, quad, c.b + c.db * (s + root), 0.1f * c.span, tau, rest);
+        if (!found || unsure) break;
+        float tau = c.tau + c.span * (s + root);
+        vec2 b = c.b + c.db * (s + root);
+        bool met = polish(p, ob, shell, r, cell, quad, 0.1f * c.span, enough, b, tau);
         note(kNoteRoot, r.t0 + tau, texel_at(p, b), height_on(c, s + root), 0.0f);
-        if (rest <= kChordError * abs(ob.amplitude) + tolerance && in_triangle(b, margin) && r.t0 + tau >= t_min &&
+        // Beyond the cell's borders other heights hold.
+        vec2 place = texel_at(p, b) - cell;
+        unsure = met && sure < 1e30f && !(min(place.x, place.y) >= -kBorder && max(place.x, place.y) <= 1.0f + kBorder);
+        if (unsure) break;
+        if (met && in_triangle(b, margin) && r.t0 + tau >= t_min &&
             opaque_at(p, b)) {
             hit.t = r.t0 + tau;
             hit.b = b;
             return true;
         }
-        w.side = -w.side;
+        // A root that does not count: behind the ray's start, beyond the triangle, in a hole.
         after = root + 1e-4f;
+        w.side = g.x + after * (g.y + after * g.z) < 0.0f ? -1.0f : 1.0f;
     }
-    w.s = to;
+    if (!unsure) w.s = to;
     return false;
 }
 
@@ -236,6 +255,8 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     if (!enter_prism(p, o, d, t_min, t_max, shared_margin + p.shell_margin, r)) return false;
     Shell shell = make_shell(p);
     float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high)) + rounding;
+    float sure = kSureError * abs(ob.amplitude) + tolerance, least_span = kLeastSpan * (r.high - r.low);
+    float most_error = kHeightError * abs(ob.amplitude) + tolerance;
     vec3 entry = prism_barycentrics(r, r.low);
     Walk w;
     w.end = shell_point(p, shell, r, r.low, vec2(entry.y, entry.z), 2);
@@ -244,29 +265,33 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     w.s = 1.0f;
     w.longest = 1e30f;
     w.level = kStartLevel;
+    w.stretches = 0;
     // Through the top or the bottom of its own height range the side is known; else the first cell tells.
     w.side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
-    for (int i = 0; i < kMaxRounds; ++i) {
+    for (int i = 0; i < kMaxStretches && w.stretches < kMaxStretches; ++i) {
         if (w.s >= 1.0f) {
             if (!(w.c.tau + w.c.span < r.high)) break;
-            start_chord(p, shell, r, w);
+            start_chord(p, shell, r, most_error, 0.1f * least_span, w);
         }
-        float to, relief;
-        if (!seek_leaf(p, ob, r, margin, tolerance, w, to, relief)) {
+        float to;
+        if (!seek_leaf(p, ob, r, tolerance, w, to)) {
             w.s = 1.0f;
             continue;
         }
-        float error = w.c.bend * relief, most = kChordError * abs(ob.amplitude);
-        if (error > most && w.c.span > 1e-4f * (r.high - r.low)) {
-            // Too bent for what stands here: a shorter chord from here on.
-            w.longest = w.c.span * 0.9f * sqrt(most / error);
+        float side = w.side;
+        bool unsure;
+        if (solve_leaf(p, ob, shell, r, t_min, tolerance, margin, to, w.c.span > least_span ? sure : 1e30f, w, unsure,
+                       hit))
+            return hit.t <= t_max;
+        if (unsure) {
+            // Too bent to tell whether the ray passes: a shorter chord from here on.
+            w.side = side;
+            w.longest = kRefinement * w.c.span;
             w.c.tau += w.c.span * w.s;
             w.end = shell_point(p, shell, r, w.c.tau, w.c.b + w.c.db * w.s, 1);
             w.c.span = 0.0f;
             w.s = 1.0f;
-            continue;
         }
-        if (solve_leaf(p, ob, shell, r, t_min, tolerance, margin, to, w, hit)) return hit.t <= t_max;
     }
     return false;
 }
