@@ -38,12 +38,15 @@ std::uint32_t descriptor_count(const Binding& b, std::size_t objects) {
     return b.type == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER ? static_cast<std::uint32_t>(objects) : 1u;
 }
 
+// Our own tree is read by address: there is no acceleration structure, and perhaps no extension that knows one.
+bool used(const Binding& b, TracePath path) { return b.index != gpu::kBindTlas || path != TracePath::bvh; }
+
 }  // namespace
 
-vulkan::SetLayoutHandle make_set_layout(const vulkan::Context& context, std::size_t objects) {
+vulkan::SetLayoutHandle make_set_layout(const vulkan::Context& context, std::size_t objects, TracePath path) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
     for (const Binding& b : kBindings)
-        bindings.push_back({b.index, b.type, descriptor_count(b, objects), VK_SHADER_STAGE_ALL, nullptr});
+        if (used(b, path)) bindings.push_back({b.index, b.type, descriptor_count(b, objects), VK_SHADER_STAGE_ALL, nullptr});
     VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, nullptr, 0,
                                          static_cast<std::uint32_t>(bindings.size()), bindings.data()};
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
@@ -52,9 +55,10 @@ vulkan::SetLayoutHandle make_set_layout(const vulkan::Context& context, std::siz
     return {context.device(), layout};
 }
 
-vulkan::DescriptorPoolHandle make_pool(const vulkan::Context& context, std::size_t objects) {
+vulkan::DescriptorPoolHandle make_pool(const vulkan::Context& context, std::size_t objects, TracePath path) {
     std::vector<VkDescriptorPoolSize> sizes;
-    for (const Binding& b : kBindings) sizes.push_back({b.type, descriptor_count(b, objects)});
+    for (const Binding& b : kBindings)
+        if (used(b, path)) sizes.push_back({b.type, descriptor_count(b, objects)});
     VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, nullptr, 0, 1,
                                     static_cast<std::uint32_t>(sizes.size()), sizes.data()};
     VkDescriptorPool pool = VK_NULL_HANDLE;

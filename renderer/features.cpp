@@ -24,6 +24,15 @@ bool any_gloss(const Scene& scene) {
                        [](const SceneObject& o) { return o.material.specular > 0; });
 }
 
+// The device's own choice (DeviceInfo::best_path), in words.
+const char* why_best(TracePath path) {
+    switch (path) {
+        case TracePath::ray_query: return "the device has it, the fastest way on a GPU";
+        case TracePath::pipeline: return "the device has no ray query";
+        default: return "a tree of boxes for compute shaders: the fastest way on a processor, and the one without ray tracing";
+    }
+}
+
 }  // namespace
 
 Features derive_features(const Scene& scene, const FeatureRequest& request) {
@@ -37,7 +46,7 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.pyramid = all || request.method->needs_pyramid;
     f.true_shell = request.method->geometry == GeometryKind::surface_bounds;
     f.searched = f.true_shell && (all || request.has_searched);
-    f.by_pipeline = request.by_pipeline;
+    f.path = request.path;
     return f;
 }
 
@@ -49,7 +58,9 @@ class Describer {
     Describer(const Scene& scene, const FeatureRequest& request, const Features& features)
         : scene_(scene), request_(request), features_(features), method_("method " + std::string(request.method->name)) {}
 
-    void add(const char* name, bool built, std::string why) { report_.features.push_back({name, built, std::move(why), 0}); }
+    void add(std::string name, bool built, std::string why) {
+        report_.features.push_back({std::move(name), built, std::move(why), 0});
+    }
 
     // `needed`: by the scene or the method; else it is there only because everything was asked for.
     void add_needed(const char* name, bool built, bool needed, const std::string& yes, const std::string& no) {
@@ -58,7 +69,7 @@ class Describer {
 
     void geometry() {
         const Features& f = features_;
-        add("base mesh prisms", true, "every triangle is met as one box in one acceleration structure");
+        add("base mesh prisms", true, "every triangle is met as one box in one tree");
         add("displacement maps", true, "the surface itself, 16 bits a texel");
         add("height bounds", true, "each triangle's box is as high as its own part of the map (kept on the processor)");
         add_needed("min-max pyramid", f.pyramid, request_.method->needs_pyramid, method_ + " bounds the map by it",
@@ -105,9 +116,13 @@ class Describer {
 
     void passes() {
         const Features& f = features_;
-        add("ray query", !f.by_pipeline, f.by_pipeline ? "the ray tracing pipeline is used" : "compute shaders trace");
-        add("ray tracing pipeline", f.by_pipeline,
-            f.by_pipeline ? "asked for, or the device has no ray query" : "the ray query does its work");
+        report_.path = f.path;
+        const std::string used(trace_path_words(f.path));
+        for (const TracePath path : {TracePath::ray_query, TracePath::pipeline, TracePath::bvh})
+            add(std::string(trace_path_words(path)), f.path == path,
+                f.path != path             ? "the " + used + " does its work"
+                : request_.path_asked_for ? "asked for by --path"
+                                           : why_best(path));
         add("image", true, "sum of samples, their number, and the tone-mapped picture");
         add("layers", false, "depth, normals, uv and id are traced only when asked for");
         add("picking", false, "compiled at the first pick");

@@ -8,6 +8,7 @@
 
 #include "renderer/methods/registry.h"
 #include "renderer/scene/scene.h"
+#include "renderer/trace_path.h"
 
 namespace relievo {
 
@@ -21,6 +22,7 @@ struct Feature {
 struct FeatureReport {
     std::vector<Feature> features;
     std::uint64_t bytes_total = 0;
+    TracePath path = TracePath::bvh;
 };
 
 // What is built. Every consumer (specialisation constants, buffers, passes) reads these and nothing else.
@@ -33,15 +35,16 @@ struct Features {
     bool pyramid = false;        // min-max pyramid of the map on the device
     bool true_shell = false;     // boxes and clipping hold S itself, not only the parallel prism's surface
     bool searched = false;       // search of triangles whose shell folds
-    bool by_pipeline = false;    // ray tracing pipeline in the ray query's stead
+    TracePath path = TracePath::ray_query;  // never automatic
 };
 
 struct FeatureRequest {
     const Method* method = nullptr;
     bool everything = false;   // build all, whether needed or not
     bool has_creases = false;  // a mesh has edges folded below the threshold
-    bool by_pipeline = false;
-    bool has_searched = false;  // a triangle is flagged kPrimitiveSearched
+    TracePath path = TracePath::ray_query;  // resolved
+    bool path_asked_for = false;            // not the device's own choice
+    bool has_searched = false;              // a triangle is flagged kPrimitiveSearched
 };
 
 Features derive_features(const Scene& scene, const FeatureRequest& request);

@@ -19,8 +19,6 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr VkImageUsageFlags kTexture = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 
-VkAabbPositionsKHR vulkan_box(const Box& b) { return {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z}; }
-
 // Edges that one triangle has for itself: rays may look underneath there.
 void flag_open_edges(const Mesh& mesh, std::uint32_t face, const std::map<std::pair<std::uint32_t, std::uint32_t>, int>& uses,
                      gpu::Primitive& primitive) {
@@ -83,16 +81,16 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
 
     primitives_ = vulkan::Buffer(context, primitives.size() * sizeof(gpu::Primitive), kStorage, vulkan::Access::host);
     normals_ = vulkan::Buffer(context, primitives.size() * sizeof(gpu::PrimitiveNormals), kStorage, vulkan::Access::host);
-    std::vector<VkAabbPositionsKHR> sorted;
+    std::vector<Box> sorted;
     sorted.reserve(order.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
         const gpu::Primitive& p = primitives[order[i]];
         primitives_.as<gpu::Primitive>()[i] = p;
         normals_.as<gpu::PrimitiveNormals>()[i] = primitive_normals(objects_[p.object].mesh, p.face);
         objects_[p.object].primitive_of[p.face] = i;
-        sorted.push_back(vulkan_box(boxes[order[i]]));
+        sorted.push_back(boxes[order[i]]);
     }
-    bvh_ = vulkan::BoxBvh(context, commands, sorted);
+    tree_ = BoxTree(context, commands, sorted, features.path);
 
     object_data_ = vulkan::Buffer(context, objects_.size() * sizeof(gpu::ObjectData), kStorage, vulkan::Access::host);
     for (std::size_t i = 0; i < objects_.size(); ++i) {
@@ -271,7 +269,7 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     }
     stats.bounds_ms = watch.lap_ms();
     if (grown) {
-        bvh_.refit(commands_);
+        tree_.refit(commands_);
         stats.refit_ms = watch.lap_ms();
     }
     return stats;
@@ -288,7 +286,7 @@ void GpuScene::update_primitive(const Object& object, std::uint32_t face) {
     gpu::Primitive& p = primitives_.as<gpu::Primitive>()[i];
     set_bounds(object, face, p);
     any_searched_ = any_searched_ || (p.flags & gpu::kPrimitiveSearched) != 0;
-    bvh_.boxes()[i] = vulkan_box(box_of(p));
+    tree_.set_box(i, box_of(p));
 }
 
 void GpuScene::set_displacement(std::size_t index, double amplitude, double midlevel) {
@@ -302,7 +300,7 @@ void GpuScene::set_displacement(std::size_t index, double amplitude, double midl
         object.ranges[face] = range_of(object, face);
         update_primitive(object, face);
     }
-    bvh_.refit(commands_);
+    tree_.refit(commands_);
 }
 
 void GpuScene::set_material(std::size_t index, const Material& material) {
@@ -325,7 +323,7 @@ PrimitiveId GpuScene::primitive_id(std::uint32_t primitive) const {
 }
 
 void GpuScene::write_bindings(VkDescriptorSet set) const {
-    VkAccelerationStructureKHR top = bvh_.top();
+    const VkAccelerationStructureKHR top = tree_.acceleration_structure();
     VkWriteDescriptorSetAccelerationStructureKHR structure{
         VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR, nullptr, 1, &top};
     const std::array<VkDescriptorBufferInfo, 3> buffers{
@@ -348,7 +346,7 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
         w.descriptorType = type;
         return writes.emplace_back(w);
     };
-    add(gpu::kBindTlas, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, 1).pNext = &structure;
+    if (top != VK_NULL_HANDLE) add(gpu::kBindTlas, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, 1).pNext = &structure;
     add(gpu::kBindPrimitives, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[0];
     add(gpu::kBindNormals, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[1];
     add(gpu::kBindObjects, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[2];
@@ -359,7 +357,7 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
 }
 
 std::uint64_t GpuScene::primitive_bytes() const {
-    return primitives_.bytes() + normals_.bytes() + object_data_.bytes() + bvh_.bytes();
+    return primitives_.bytes() + normals_.bytes() + object_data_.bytes();
 }
 
 std::uint64_t GpuScene::map_bytes() const {

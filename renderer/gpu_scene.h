@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "renderer/box_tree.h"
 #include "renderer/features.h"
 #include "renderer/height_pyramid.h"
 #include "renderer/primitives.h"
 #include "renderer/renderer.h"
 #include "renderer/scene/triangle_bounds.h"
-#include "renderer/vulkan/acceleration.h"
 
 namespace relievo {
 
@@ -31,14 +31,17 @@ class GpuScene {
     void set_ray_offset(double fraction_of_radius);
 
     PrimitiveId primitive_id(std::uint32_t primitive) const;
+    VkDeviceAddress primitive_address() const { return primitives_.address(); }
+    VkDeviceAddress bvh_address() const { return tree_.nodes(); }  // 0 where an acceleration structure is used
 
-    // Writes bindings TLAS, primitives, normals, objects, maps, opacity.
+    // Writes bindings TLAS (where there is one), primitives, normals, objects, maps, opacity.
     void write_bindings(VkDescriptorSet set) const;
 
     // Whether a triangle's shell folds, or ever did, so that methods search it (kPrimitiveSearched).
     bool any_searched() const { return any_searched_; }
 
     std::uint64_t primitive_bytes() const;
+    std::uint64_t tree_bytes() const { return tree_.bytes(); }
     std::uint64_t map_bytes() const;
     std::uint64_t opacity_bytes() const;
     std::uint64_t pyramid_bytes() const;
@@ -75,7 +78,7 @@ class GpuScene {
     bool meets_surface_ = false;  // the method meets S itself, not the parallel prism's surface
     std::vector<Object> objects_;
     vulkan::Buffer primitives_, normals_, object_data_, staging_;
-    vulkan::BoxBvh bvh_;
+    BoxTree tree_;
 };
 
 }  // namespace relievo

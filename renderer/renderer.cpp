@@ -1,5 +1,5 @@
 // See renderer.h. The way of a ray: Renderer::render -> vulkan/passes.cpp (dispatch) -> shaders/trace/beauty.glsl
-// (camera ray, shading) -> trace/query.glsl or pipeline.glsl (boxes) -> methods/<name>/intersect.glsl (the surface).
+// (camera ray, shading) -> trace/bvh.glsl, query.glsl or pipeline.glsl (boxes) -> methods/<name>/intersect.glsl (the surface).
 #include "renderer/renderer.h"
 
 #include <algorithm>
@@ -29,14 +29,6 @@ constexpr std::size_t kPickBatch = 256;  // rays a dispatch
 constexpr std::size_t kNotesHead = 16;    // the number of notes, before them
 constexpr std::size_t kNotesBytes = kNotesHead + gpu::kMaxNotes * sizeof(gpu::Note);
 constexpr double kLeastRayOffset = 1e-4;  // of an object's radius
-
-bool decide_path(const vulkan::DeviceInfo& device, TracePath path) {
-    if (path == TracePath::ray_query && !device.ray_query)
-        throw std::invalid_argument("--path ray-query: device '" + device.name + "' has no VK_KHR_ray_query");
-    if (path == TracePath::pipeline && !device.ray_pipeline)
-        throw std::invalid_argument("--path pipeline: device '" + device.name + "' has no VK_KHR_ray_tracing_pipeline");
-    return path == TracePath::pipeline || (path == TracePath::automatic && !device.ray_query);
-}
 
 void check_size(const vulkan::Context& context, int width, int height, const char* what) {
     VkPhysicalDeviceProperties properties;
@@ -85,6 +77,7 @@ struct Renderer::State {
     }
     void build();
     void build_scene();
+    void write_addresses();
     void make_set();
     void make_passes();
     void follow_search();
@@ -108,7 +101,8 @@ void Renderer::State::build_scene() {
 }
 
 void Renderer::State::build() {
-    request = {method, settings.everything, mended.any(), decide_path(context.info(), settings.path)};
+    request = {method, settings.everything, mended.any(),
+               resolve_trace_path(settings.path, context.info()), settings.path != TracePath::automatic};
     build_scene();
     film = Film(context, commands, settings.width, settings.height);
     frame = vulkan::Buffer(context, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Access::host);
@@ -118,6 +112,7 @@ void Renderer::State::build() {
     frame_data().object_count = static_cast<std::uint32_t>(scene.objects.size());
     fill_view(frame_data(), scene.camera, scene.origin, settings.width, settings.height);
     fill_lights(frame_data(), scene.lights, scene.environment, scene.origin);
+    write_addresses();
     make_set();
     make_passes();
     apply_parameters();
@@ -133,10 +128,18 @@ void Renderer::State::make_pick_buffers() {
     write_own_bindings();
 }
 
+void Renderer::State::write_addresses() {
+    const auto words = [](VkDeviceAddress a) {
+        return glm::uvec2(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(a >> 32));
+    };
+    frame_data().bvh = words(gpu_scene->bvh_address());
+    frame_data().primitives = words(gpu_scene->primitive_address());
+}
+
 void Renderer::State::make_set() {
     const std::size_t objects = scene.objects.size();
-    set_layout = make_set_layout(context, objects);
-    pool = make_pool(context, objects);
+    set_layout = make_set_layout(context, objects, features.path);
+    pool = make_pool(context, objects, features.path);
     const VkDescriptorSetLayout layout = set_layout.get();
     VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, nullptr, pool.get(), 1, &layout};
     vulkan::check(vkAllocateDescriptorSets(context.device(), &info, &set), "allocating a descriptor set");
@@ -172,7 +175,7 @@ void Renderer::State::make_passes() {
     constants[gpu::kSpecGloss] = features.gloss ? 1 : 0;
     constants[gpu::kSpecSky] = features.sky ? 1 : 0;
     constants[gpu::kSpecSearch] = features.searched ? 1 : 0;
-    passes = vulkan::Passes(context, set_layout.get(), method->name, features.by_pipeline, constants);
+    passes = vulkan::Passes(context, set_layout.get(), method->name, features.path, constants);
 }
 
 // An edit may fold a shell for the first time.
@@ -226,6 +229,7 @@ void Renderer::State::count_bytes() {
     report = describe_features(scene, request, features, parameters);
     for (Feature& f : report.features) {
         if (f.name == "base mesh prisms") f.bytes = gpu_scene->primitive_bytes();
+        if (f.name == trace_path_words(features.path)) f.bytes = gpu_scene->tree_bytes();
         if (f.name == "displacement maps") f.bytes = gpu_scene->map_bytes();
         if (f.name == "min-max pyramid") f.bytes = gpu_scene->pyramid_bytes();
         if (f.name == "opacity maps" && f.built) f.bytes = gpu_scene->opacity_bytes();
@@ -324,6 +328,7 @@ void Renderer::set_method(const std::string& name, const std::map<std::string, d
         s.method = &method;
         s.request.method = &method;
         s.build_scene();
+        s.write_addresses();
         s.gpu_scene->write_bindings(s.set);
         s.make_passes();
     }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/scene/scene.h"
+#include "renderer/trace_path.h"
 
 namespace relievo {
 
@@ -32,8 +33,6 @@ struct TexelRegion {  // half-open
 struct PixelRect {  // half-open, row 0 at the top of the image
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
-
-enum class TracePath { automatic, ray_query, pipeline };
 
 struct RenderSettings {
     int width = 512, height = 512;

@@ -11,6 +11,9 @@
 #include <glm/vec4.hpp>
 namespace relievo::gpu {
 using glm::ivec2;
+using glm::uvec2;
+using glm::uvec3;
+using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
@@ -60,6 +63,20 @@ struct ObjectData {
     float ray_offset; // world units: secondary rays start this far along the normal
 };
 
+// One node of the program's own tree of boxes (renderer/wide_bvh.h): up to four children with their boxes. Child i spans
+// origin + 2^exponent * (byte i of low, byte i of high) along each axis, and never less than what it holds.
+struct BvhNode {
+    vec3 origin;     // world
+    uint exponents;  // byte a: the exponent of axis a's steps, plus 127
+    uvec4 child;     // kBvhLeaf | primitive, or the index of a node, or kBvhNone: those come last
+    uvec3 low;       // of each axis: a byte a child, in steps from origin
+    uvec3 high;
+    uint spare0, spare1;
+};
+RELIEVO_CONST uint kBvhLeaf = 0x80000000u;
+RELIEVO_CONST uint kBvhNone = 0xffffffffu;
+RELIEVO_CONST uint kBvhStack = 48u;  // nodes that wait while others are walked: the builder's promise
+
 struct LightData {
     vec3 position;   // sun: unit direction towards the sun; point: world
     float size;      // sun: tangent of the angular radius; point: sphere radius, world units
@@ -84,7 +101,8 @@ struct FrameData {
     vec3 ground;
     float spare5;
     ivec2 size;        // image, pixels
-    ivec2 spare4;
+    uvec2 bvh;         // device address of the BvhNodes, low word first; 0 where another way of tracing is used
+    uvec2 primitives;  // device address of the Primitives
     vec4 parameters0, parameters1;  // of the method, in the registry's order
     LightData lights[8];
 };
@@ -172,8 +190,9 @@ RELIEVO_CONST uint kGroupWidth = 8u;  // pixels a side of a compute workgroup
 static_assert(sizeof(Primitive) == 124);
 static_assert(sizeof(PrimitiveNormals) == 36);
 static_assert(sizeof(ObjectData) == 48);
+static_assert(sizeof(BvhNode) == 64);  // a cache line
 static_assert(sizeof(LightData) == 32);
-static_assert(sizeof(FrameData) == 160 + 8 * 32);
+static_assert(sizeof(FrameData) == 168 + 8 * 32);
 static_assert(sizeof(PushData) == 32);
 static_assert(sizeof(PickRay) == 32);
 static_assert(sizeof(PickResult) == 32);

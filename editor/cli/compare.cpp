@@ -87,7 +87,7 @@ void add_compare(CLI::App& app, Command& command) {
         ->check(CLI::PositiveNumber);
     verb.add_option("--size", options->picture.size, "Size of the frames; the scene's when not given")
         ->type_name("WxH");
-    verb.add_option("--path", options->method.path, "Way of tracing: ray-query or pipeline")
+    verb.add_option("--path", options->method.path, "Way of tracing: " + std::string(kTracePathNames))
         ->type_name("PATH");
     add_common(verb, options->common);
     verb.callback([options, &command] { command = [options] { return run_compare(*options); }; });

@@ -40,6 +40,7 @@ int run_devices(const CommonOptions& options) {
                             {"ray_pipeline", device.ray_pipeline},
                             {"usable", device.usable},
                             {"used", choice.index == device.index},
+                            {"path", std::string(trace_path_name(device.best_path))},
                             {"verdict", device.verdict}});
         nlohmann::ordered_json result{{"devices", list}};
         if (!choice.index) result["none_usable"] = choice.why_none;

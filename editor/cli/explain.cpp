@@ -29,12 +29,6 @@ struct Subject {
     std::map<std::string, double> parameters;
     const vulkan::DeviceInfo& device;
     const FeatureReport& report;
-
-    bool builds(std::string_view name) const {
-        for (const Feature& feature : report.features)
-            if (feature.name == name) return feature.built;
-        return false;
-    }
 };
 
 Json objects_json(const Subject& subject) {
@@ -59,7 +53,7 @@ void print_json(const Subject& subject) {
                       {"method", subject.method.name},
                       {"parameters", subject.parameters},
                       {"device", subject.device.name},
-                      {"path", subject.builds("ray query") ? "ray-query" : "pipeline"},
+                      {"path", std::string(trace_path_name(subject.report.path))},
                       {"objects", objects_json(subject)},
                       {"features", features},
                       {"bytes_total", subject.report.bytes_total}}

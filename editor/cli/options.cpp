@@ -73,7 +73,7 @@ void add_method(CLI::App& verb, MethodOptions& options) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verb.add_option("--path", options.path,
-                    "Way of tracing: ray-query or pipeline; the device's best when not given")
+                    "Way of tracing: " + std::string(kTracePathNames) + "; the device's best when not given")
         ->type_name("PATH");
 }
 
@@ -92,13 +92,7 @@ SessionOptions session_options(const CommonOptions& common, const MethodOptions&
     if (!method.method.empty()) find_method(method.method);
     for (const std::string& text : method.set)
         options.parameters.insert_or_assign(parse_parameter(text).first, parse_parameter(text).second);
-    if (method.path == "ray-query") {
-        options.path = TracePath::ray_query;
-    } else if (method.path == "pipeline") {
-        options.path = TracePath::pipeline;
-    } else if (!method.path.empty()) {
-        throw std::invalid_argument("--path: is \"" + method.path + "\", must be ray-query or pipeline");
-    }
+    options.path = parse_trace_path(method.path);
     if (!picture.size.empty()) {
         const ImageSize size = parse_size(picture.size);
         options.width = size.width;

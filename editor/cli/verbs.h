@@ -32,7 +32,7 @@ struct CommonOptions {
 struct MethodOptions {
     std::string method;
     std::vector<std::string> set;  // PARAM=VALUE
-    std::string path;              // ray-query or pipeline; empty: automatic
+    std::string path;              // as parse_trace_path() takes it; empty: automatic
 };
 struct PictureOptions {
     std::string size;  // WxH; empty: the scene's

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/trace_path.h"
+
 namespace relievo::vulkan {
 
 struct DeviceInfo {
@@ -15,6 +17,7 @@ struct DeviceInfo {
     std::string name, driver;
     bool is_cpu = false;
     bool ray_query = false, ray_pipeline = false;
+    TracePath best_path = TracePath::bvh;  // what automatic means
     bool usable = false;
     std::string verdict;  // why it is usable and which path it takes, or what it lacks
 };
@@ -31,7 +34,7 @@ std::vector<DeviceInfo> list_devices();
 class Context {
   public:
     // Throws std::runtime_error with one sentence that names the package to install when there is no Vulkan, no
-    // device, or none with ray tracing.
+    // device, or none that is usable.
     explicit Context(const ContextOptions& options);
     ~Context();
     Context(const Context&) = delete;

@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::array<std::string_view, kPassCount> kComputeFiles{"beauty.comp", "aov.comp", "pick.comp", "aov.comp",
                                                               "pick.comp"};
+constexpr std::array<std::string_view, kPassCount> kBvhFiles{"beauty_bvh.comp", "aov_bvh.comp", "pick_bvh.comp",
+                                                             "aov_bvh.comp", "pick_bvh.comp"};
 constexpr std::array<std::string_view, kPassCount> kRayFiles{"beauty.rgen", "aov.rgen", "pick.rgen", "aov.rgen", "pick.rgen"};
 
 struct Specialisation {
@@ -39,9 +41,9 @@ std::uint32_t round_up(std::uint32_t value, std::uint32_t step) { return (value 
 
 }  // namespace
 
-Passes::Passes(const Context& context, VkDescriptorSetLayout set_layout, std::string_view method, bool by_pipeline,
+Passes::Passes(const Context& context, VkDescriptorSetLayout set_layout, std::string_view method, TracePath path,
                const SpecConstants& constants)
-    : context_(&context), method_(method), by_pipeline_(by_pipeline), constants_(constants) {
+    : context_(&context), method_(method), path_(path), constants_(constants) {
     const VkPushConstantRange range{VK_SHADER_STAGE_ALL, 0, sizeof(gpu::PushData)};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
@@ -73,7 +75,8 @@ SpecConstants Passes::constants_of(Pass pass) const {
 }
 
 void Passes::make_compute(Program& program, Pass pass) {
-    const ShaderHandle shader = module(kComputeFiles[static_cast<std::size_t>(pass)]);
+    const auto& files = path_ == TracePath::bvh ? kBvhFiles : kComputeFiles;
+    const ShaderHandle shader = module(files[static_cast<std::size_t>(pass)]);
     const SpecConstants constants = constants_of(pass);
     const Specialisation specialisation(constants);
     VkComputePipelineCreateInfo info{};
@@ -150,17 +153,18 @@ void Passes::record(VkCommandBuffer commands, Pass pass, VkDescriptorSet set, co
                     int height) {
     const auto index = static_cast<std::size_t>(pass);
     Program& program = programs_[index];
+    const bool by_pipeline = path_ == TracePath::pipeline;
     if (!program.pipeline) {
-        if (by_pipeline_) make_rays(program, pass);
+        if (by_pipeline) make_rays(program, pass);
         else make_compute(program, pass);
     }
     const VkPipelineBindPoint point =
-        by_pipeline_ ? VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR : VK_PIPELINE_BIND_POINT_COMPUTE;
+        by_pipeline ? VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR : VK_PIPELINE_BIND_POINT_COMPUTE;
     vkCmdBindPipeline(commands, point, program.pipeline.get());
     vkCmdBindDescriptorSets(commands, point, layout_.get(), 0, 1, &set, 0, nullptr);
     vkCmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_ALL, 0, sizeof(push), &push);
     const auto w = static_cast<std::uint32_t>(width), h = static_cast<std::uint32_t>(height);
-    if (by_pipeline_) {
+    if (by_pipeline) {
         const VkStridedDeviceAddressRegionKHR callable{};
         functions().cmd_trace_rays(commands, &program.generation, &program.miss, &program.hit, &callable, w, h, 1);
     } else if (pass == Pass::pick || pass == Pass::notes) {

@@ -1,4 +1,4 @@
-// The passes (beauty, layers, pick, and the last two again with notes taken) of one method as pipelines over one descriptor set, traced either way.
+// The passes (beauty, layers, pick, and the last two again with notes taken) of one method as pipelines over one descriptor set, traced any way.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/trace_path.h"
 #include "renderer/vulkan/resources.h"
 #include "shaders/shared.h"
 
@@ -29,7 +30,7 @@ using SpecConstants = std::array<std::uint32_t, gpu::kSpecCount>;
 class Passes {
   public:
     Passes() = default;
-    Passes(const Context& context, VkDescriptorSetLayout set_layout, std::string_view method, bool by_pipeline,
+    Passes(const Context& context, VkDescriptorSetLayout set_layout, std::string_view method, TracePath path,
            const SpecConstants& constants);
 
     // Records the dispatch of width x height invocations (pick: width rays, height 1). Pipelines are made at first
@@ -51,7 +52,7 @@ class Passes {
 
     const Context* context_ = nullptr;
     std::string_view method_;
-    bool by_pipeline_ = false;
+    TracePath path_ = TracePath::ray_query;
     SpecConstants constants_{};
     PipelineLayoutHandle layout_;
     std::array<Program, kPassCount> programs_;

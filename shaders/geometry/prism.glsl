@@ -8,6 +8,8 @@
 #ifndef RELIEVO_PRISM_GLSL
 #define RELIEVO_PRISM_GLSL
 
+RELIEVO_CONST float kRayEnd = 1e30f;  // what t_max may be at most
+
 struct PrismRay {
     float t0;          // the ray parameter at tau = 0
     float low, high;   // tau where the ray is inside (one stretch; a hole inside it is possible, samples must test)

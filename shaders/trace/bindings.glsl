@@ -11,7 +11,6 @@ layout(constant_id = 4) const bool kSky = true;
 layout(constant_id = 5) const uint kNotes = 0u;  // kNotes* of shared.h
 layout(constant_id = 6) const bool kSearch = true;
 
-layout(set = 0, binding = kBindTlas) uniform accelerationStructureEXT scene_bvh;
 layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { FrameData frame; };
 layout(set = 0, binding = kBindPrimitives, scalar) readonly buffer PrimitiveBlock { Primitive primitives[]; };
 layout(set = 0, binding = kBindNormals, scalar) readonly buffer NormalBlock { PrimitiveNormals normals[]; };

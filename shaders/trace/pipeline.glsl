@@ -3,6 +3,8 @@
 #extension GL_EXT_ray_tracing : require
 #include "bindings.glsl"
 
+layout(set = 0, binding = kBindTlas) uniform accelerationStructureEXT scene_bvh;
+
 layout(location = 0) rayPayloadEXT TraceHit payload;
 
 TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool any_hit, uint pixel) {

@@ -74,7 +74,7 @@ TEST_F(Program, WrongUsageIsOneLine) {
     expect_refused({"render", scene_, "-o", path("a.png"), "--size", "12"}, "--size: is \"12\", must be WxH");
     expect_refused({"render", scene_, "-o", path("a.png"), "--size", "0x5"}, "--size");
     expect_refused({"render", scene_, "-o", path("a.png"), "--path", "fast"},
-                   "must be ray-query or pipeline");
+                   "must be ray-query, pipeline or bvh");
     expect_refused({"render", scene_, "-o", path("a.png"), "--method", "magic"}, "magic");
     expect_refused({"render", scene_, "-o", path("a.png"), "--set", "dt"},
                    "--set: is \"dt\", must be PARAM=NUMBER");

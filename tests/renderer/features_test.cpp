@@ -12,10 +12,10 @@
 namespace relievo::test {
 namespace {
 
-FeatureRequest request_of(bool everything = false) { return {&find_method("pdm"), everything, false, false}; }
+FeatureRequest request_of(bool everything = false) { return {&find_method("pdm"), everything, false, TracePath::bvh, false}; }
 
 std::set<std::string> built_by(const Scene& scene, const Method& method) {
-    const FeatureRequest request{&method, false, false, false};
+    const FeatureRequest request{&method, false, false, TracePath::bvh, false};
     std::set<std::string> built;
     for (const Feature& f :
          describe_features(scene, request, derive_features(scene, request), resolve_parameters(method, {})).features)
@@ -60,7 +60,7 @@ TEST(Features, ADarkSceneTracesNoShadows) {
 // What each sample scene builds by each method, by name; all else is left out.
 TEST(Features, SampleScenesBuildWhatTheyNeed) {
     const std::set<std::string> usual{"base mesh prisms", "displacement maps", "height bounds", "shadows", "sky light",
-                                      "gloss",            "ray query",         "image"};
+                                      "gloss",            "own BVH",         "image"};
     const std::map<std::string, std::set<std::string>> by_scene{
         {"plane", {}}, {"asteroid", {}}, {"chainmail", {"opacity maps"}}, {"leather", {}},
         {"orb", {}},   {"stump", {}},    {"knot", {}},                    {"fur", {}}};
@@ -112,6 +112,23 @@ TEST(Features, EverythingIsBuiltWhenItIsAskedFor) {
         if (!named.contains(f.name)) continue;
         EXPECT_TRUE(f.built) << f.name;
         EXPECT_EQ(f.reason, "everything was asked for") << f.name;
+    }
+}
+
+TEST(Features, OneWayOfTracingIsBuiltAndTheOthersSayWhyNot) {
+    const Scene scene = make_scene(plane_mesh(), 0.2);
+    for (const TracePath path : {TracePath::ray_query, TracePath::pipeline, TracePath::bvh}) {
+        for (const bool asked_for : {false, true}) {
+            const FeatureRequest request{&find_method("exact"), false, false, path, asked_for};
+            int ways = 0;
+            for (const Feature& f : describe_features(scene, request, derive_features(scene, request), {}).features) {
+                if (f.name != "ray query" && f.name != "ray tracing pipeline" && f.name != "own BVH") continue;
+                ++ways;
+                EXPECT_EQ(f.built, f.name == trace_path_words(path)) << f.name;
+                EXPECT_EQ(f.reason == "asked for by --path", f.built && asked_for) << f.name;
+            }
+            EXPECT_EQ(ways, 3);
+        }
     }
 }
 

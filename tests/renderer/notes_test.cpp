@@ -1,4 +1,4 @@
-// What a ray costs, and its log: the same story as the picture, on both paths, without changing the picture.
+// What a ray costs, and its log: the same story as the picture, on all paths, without changing the picture.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -85,8 +85,9 @@ TEST_P(Notes, CountsAreTakenAgainAfterAnEdit) {
 TEST_P(Notes, LogEndsInTheHitThatPickingFinds) {
     const Scene scene = make_scene(ball_mesh(), 0.3);
     const TestMap map = bumps(128);
-    for (const TracePath path : {TracePath::ray_query, TracePath::pipeline}) {
-        if (path == TracePath::ray_query ? !device().info().ray_query : !device().info().ray_pipeline) continue;
+    for (const TracePath path : {TracePath::bvh, TracePath::ray_query, TracePath::pipeline}) {
+        if (path == TracePath::ray_query && !device().info().ray_query) continue;
+        if (path == TracePath::pipeline && !device().info().ray_pipeline) continue;
         RenderSettings settings = settings_of(scene);
         settings.path = path;
         Renderer r = make_renderer(scene, map, settings);

@@ -1,4 +1,4 @@
-// Two ways of tracing, and specialised or everything-on shaders: the same images.
+// Three ways of tracing, and specialised or everything-on shaders: the same images.
 #include <gtest/gtest.h>
 
 #include "tests/renderer/device.h"
@@ -18,38 +18,67 @@ Scene lit_ball() {
 
 RELIEVO_EVERY_METHOD(Paths);
 
-TEST_P(Paths, RayQueryAndPipelineGiveEqualImages) {
-    if (!device().info().ray_query || !device().info().ray_pipeline) GTEST_SKIP() << "the device has only one path";
+// Ours is the one that any device takes; the others are compared with it.
+std::vector<TracePath> other_paths() {
+    std::vector<TracePath> paths;
+    if (device().info().ray_query) paths.push_back(TracePath::ray_query);
+    if (device().info().ray_pipeline) paths.push_back(TracePath::pipeline);
+    return paths;
+}
+
+RenderSettings on(TracePath path, RenderSettings settings) {
+    settings.path = path;
+    return settings;
+}
+
+TEST_P(Paths, AllGiveEqualImages) {
     const Scene scene = lit_ball();
     const TestMap map = bumps(256);
-    RenderSettings query = settings_of(scene), pipeline = query;
-    query.path = TracePath::ray_query;
-    pipeline.path = TracePath::pipeline;
-    EXPECT_EQ(beauty_of(scene, map, query, 3), beauty_of(scene, map, pipeline, 3));
-    EXPECT_EQ(depth_of(scene, map, query), depth_of(scene, map, pipeline));
+    const RenderSettings settings = settings_of(scene), own = on(TracePath::bvh, settings);
+    const auto beauty = beauty_of(scene, map, own, 3), depth = depth_of(scene, map, own);
+    for (const TracePath path : other_paths()) {
+        EXPECT_EQ(beauty_of(scene, map, on(path, settings), 3), beauty) << trace_path_words(path);
+        EXPECT_EQ(depth_of(scene, map, on(path, settings)), depth) << trace_path_words(path);
+    }
 }
 
-TEST_P(Paths, PickIsTheSameOnBothPaths) {
-    if (!device().info().ray_query || !device().info().ray_pipeline) GTEST_SKIP() << "the device has only one path";
+TEST_P(Paths, PickIsTheSameOnAll) {
     const Scene scene = lit_ball();
     const TestMap map = bumps(128);
-    std::vector<std::vector<PickHit>> hits;
-    for (const TracePath path : {TracePath::ray_query, TracePath::pipeline}) {
-        RenderSettings settings = settings_of(scene);
-        settings.path = path;
-        Renderer r = make_renderer(scene, map, settings);
-        hits.push_back(r.pick(std::vector{r.camera_ray(48.5, 48.5), r.camera_ray(1, 1), r.camera_ray(30, 60)}));
+    const auto pick = [&](TracePath path) {
+        Renderer r = make_renderer(scene, map, on(path, settings_of(scene)));
+        return r.pick(std::vector{r.camera_ray(48.5, 48.5), r.camera_ray(1, 1), r.camera_ray(30, 60)});
+    };
+    const auto own = pick(TracePath::bvh);
+    EXPECT_TRUE(own[0].hit);
+    EXPECT_FALSE(own[1].hit);
+    for (const TracePath path : other_paths()) {
+        const auto hits = pick(path);
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            EXPECT_EQ(hits[i].hit, own[i].hit);
+            EXPECT_EQ(hits[i].face, own[i].face);
+            EXPECT_EQ(hits[i].distance, own[i].distance);
+        }
     }
-    for (std::size_t i = 0; i < hits[0].size(); ++i) {
-        EXPECT_EQ(hits[0][i].hit, hits[1][i].hit);
-        EXPECT_EQ(hits[0][i].face, hits[1][i].face);
-        EXPECT_EQ(hits[0][i].distance, hits[1][i].distance);
-    }
-    EXPECT_TRUE(hits[0][0].hit);
-    EXPECT_FALSE(hits[0][1].hit);
 }
 
-// Bit for bit, whatever the scene leaves out.
+TEST_P(Paths, EditsAreSeenOnAll) {
+    const Scene scene = lit_ball();
+    TestMap map = make_map(128, 128, [](double, double) { return 0.4; });
+    const TestMap edited = bumps(128);
+    const TexelRegion region{20, 30, 90, 100};
+    const auto edit = [&](TracePath path) {
+        Renderer r = make_renderer(scene, map, on(path, settings_of(scene)));
+        const UploadStats stats = r.upload(0, edited.view(), std::span(&region, 1));
+        EXPECT_GT(stats.triangles_grown, 0);
+        EXPECT_GT(stats.refit_ms, 0);
+        r.set_displacement(0, 0.35, 0.4);
+        return r.read_back(Layer::depth);
+    };
+    const auto own = edit(TracePath::bvh);
+    for (const TracePath path : other_paths()) EXPECT_EQ(edit(path), own) << trace_path_words(path);
+}
+
 TEST_P(Paths, SpecialisedImageEqualsEverythingOn) {
     const TestMap map = bumps(256);
     Scene matte = lit_ball(), dark_sky = lit_ball(), no_lights = lit_ball();
@@ -101,7 +130,8 @@ TEST_P(Paths, PreviewIsReplacedByTheFirstSample) {
 TEST_P(Paths, WindowsOfAPassGiveTheWholeImage) {
     const Scene scene = lit_ball();
     const TestMap map = bumps(128);
-    Renderer whole = make_renderer(scene, map, settings_of(scene)), parts = make_renderer(scene, map, settings_of(scene));
+    Renderer whole = make_renderer(scene, map, settings_of(scene)),
+             parts = make_renderer(scene, map, settings_of(scene));
     whole.render();
     for (int y = 0; y < 96; y += 17) parts.render({0, y, 96, std::min(96, y + 17)}, Quality::full);
     EXPECT_EQ(parts.read_back(Layer::beauty), whole.read_back(Layer::beauty));

@@ -64,8 +64,7 @@ Comparison describe(const CompareOptions& options, const vulkan::Context& contex
     comparison.machine = machine_info();
     comparison.device = context.info().name;
     comparison.driver = context.info().driver;
-    const bool by_pipeline = options.path == TracePath::pipeline || !context.info().ray_query;
-    comparison.path = by_pipeline ? "ray tracing pipeline" : "ray query";
+    comparison.path = trace_path_words(resolve_trace_path(options.path, context.info()));
     comparison.budget_s = options.budget_s;
     comparison.methods = names;
     return comparison;

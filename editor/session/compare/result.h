@@ -103,7 +103,7 @@ struct MachineInfo {
 struct Comparison {
     std::string version;
     MachineInfo machine;
-    std::string device, driver, path;  // path: "ray query" or "ray tracing pipeline"
+    std::string device, driver, path;  // path: trace_path_words()
     double budget_s = 0;               // 0: none
     double spent_s = 0;
     std::vector<std::string> methods;

@@ -25,12 +25,16 @@ FUNC float pdm_gap(Primitive p, ObjectData ob, PrismRay r, float tau, OUT(vec3) 
 }
 
 // First hit in [t_min, t_max] that is not a hole of the opacity map. `random` in [0, 1).
+// The samples lie where they lie whatever t_max is: it only ends the search. Else the picture would depend on the order
+// in which a ray meets triangles.
 FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o, vec3 d, float t_min, float t_max,
                             float random, OUT(SurfaceHit) hit) {
     PrismRay r;
     hit.t = t_max;
     hit.b = vec2(0.0f, 0.0f);
-    if (!enter_prism(p, o, d, t_min, t_max, kSideMargin, r)) return false;
+    if (!enter_prism(p, o, d, t_min, kRayEnd, kSideMargin, r)) return false;
+    float limit = t_max - r.t0;
+    if (!(r.low <= limit)) return false;
     float span = r.high - r.low;
     float step_length = max(parameters.x * ob.radius, span / float(kMaxSteps - 2u));
     vec3 b;
@@ -48,7 +52,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         if (sinks && opaque_at(p, vec2(b.y, b.z))) {
             hit.t = r.t0 + tau;
             hit.b = vec2(b.y, b.z);
-            return true;
+            return hit.t <= t_max;
         }
     }
     float next = tau + (parameters.y > 0.5f ? max(random, 1e-3f) * step_length : step_length);
@@ -71,7 +75,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         }
         side = gap > 0.0f ? 1.0f : -1.0f;
         known = inside;
-        if (!(end < r.high)) break;
+        if (!(end < r.high && end <= limit)) break;
         next = end + step_length;
     }
     return false;

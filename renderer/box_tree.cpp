@@ -1,0 +1,44 @@
+// See box_tree.h.
+#include "renderer/box_tree.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace relievo {
+namespace {
+
+VkAabbPositionsKHR vulkan_box(const Box& b) {
+    return {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z};
+}
+
+}  // namespace
+
+BoxTree::BoxTree(const vulkan::Context& context, vulkan::Commands& commands, std::span<const Box> boxes,
+                 TracePath path) {
+    if (path == TracePath::bvh) {
+        wide_.emplace(boxes);
+        const auto nodes = wide_->nodes();
+        nodes_ = vulkan::Buffer(context, nodes.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                vulkan::Access::host);
+        std::ranges::copy(nodes, nodes_.as<gpu::BvhNode>());
+        return;
+    }
+    std::vector<VkAabbPositionsKHR> positions(boxes.size());
+    std::ranges::transform(boxes, positions.begin(), vulkan_box);
+    structure_ = vulkan::BoxBvh(context, commands, positions);
+}
+
+void BoxTree::set_box(std::uint32_t primitive, const Box& box) {
+    if (wide_)
+        wide_->set_box(primitive, box);
+    else
+        structure_.boxes()[primitive] = vulkan_box(box);
+}
+
+void BoxTree::refit(vulkan::Commands& commands) {
+    if (!wide_) return structure_.refit(commands);
+    // Nothing runs on the device between calls (vulkan::Commands waits), so its nodes may be written.
+    for (const std::uint32_t node : wide_->refit()) nodes_.as<gpu::BvhNode>()[node] = wide_->nodes()[node];
+}
+
+}  // namespace relievo

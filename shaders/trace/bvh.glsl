@@ -1,0 +1,93 @@
+// Tracing through the program's own tree of boxes (renderer/wide_bvh.h), for processors: their drivers' trees are worse,
+// and so is what they make of a ray query. Nodes are read by address: where lanes part, that is one gather a word, an
+// indexed storage buffer is a loop over the lanes.
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+#include "bindings.glsl"
+#include "compute.glsl"
+
+layout(buffer_reference, scalar, buffer_reference_align = 64) readonly buffer BvhNodes { BvhNode at[]; };
+
+const float kNotMet = 1e38;
+
+vec4 bytes_of(uint v) {
+    return vec4(float(v & 255u), float((v >> 8) & 255u), float((v >> 16) & 255u), float(v >> 24));
+}
+
+// Where the ray enters each child's box; kNotMet for those that it does not meet before t_max.
+vec4 child_entries(BvhNode n, vec3 origin, vec3 inverse, float t_min, float t_max) {
+    vec3 steps = uintBitsToFloat(uvec3(n.exponents << 23, n.exponents << 15, n.exponents << 7) & 0x7f800000u);
+    vec3 a = steps * inverse, b = (n.origin - origin) * inverse;
+    bvec3 back = lessThan(inverse, vec3(0.0));
+    uvec3 first = mix(n.low, n.high, back), last = mix(n.high, n.low, back);
+    vec4 enter = max(max(bytes_of(first.x) * a.x + b.x, bytes_of(first.y) * a.y + b.y),
+                     max(bytes_of(first.z) * a.z + b.z, vec4(t_min)));
+    vec4 leave = min(min(bytes_of(last.x) * a.x + b.x, bytes_of(last.y) * a.y + b.y),
+                     min(bytes_of(last.z) * a.z + b.z, vec4(t_max)));
+    // Eight units in the last place pay for the rounding of far boxes, the boxes' own slack for that of near ones.
+    bvec4 met = lessThanEqual(enter, leave * 1.000001);
+    return mix(vec4(kNotMet), enter, bvec4(uvec4(met) & uvec4(notEqual(n.child, uvec4(kBvhNone)))));
+}
+
+void order(inout float ka, inout float kb, inout uint a, inout uint b) {
+    bool turn = kb < ka;
+    float k = turn ? kb : ka;
+    kb = turn ? ka : kb;
+    ka = k;
+    uint c = turn ? b : a;
+    b = turn ? a : b;
+    a = c;
+}
+
+// Nodes that wait, and where the ray enters them.
+uint waiting[kBvhStack];
+float waiting_entry[kBvhStack];
+int waiting_count;
+
+void wait(float entry, uint node) {
+    if (!(entry < kNotMet)) return;
+    waiting_entry[waiting_count] = entry;
+    waiting[waiting_count++] = node;
+}
+
+// The last that waits and does not lie behind the nearest hit.
+uint next_waiting(float t) {
+    while (waiting_count > 0) {
+        --waiting_count;
+        if (waiting_entry[waiting_count] <= t) return waiting[waiting_count];
+    }
+    return kBvhNone;
+}
+
+// Every node is met at most once, whatever the ray's numbers are: the walk always ends.
+TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool any_hit, uint pixel) {
+    TraceHit best;
+    best.primitive = kNoHit;
+    best.t = t_max;
+    best.b = vec2(0.0);
+    BvhNodes nodes = BvhNodes(frame.bvh);
+    vec3 inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
+    waiting_count = 0;
+    uint next = 0u;
+    while (true) {
+        while (next < kBvhLeaf) {
+            BvhNode n = nodes.at[next];
+            vec4 k = child_entries(n, origin, inverse, t_min, best.t);
+            uvec4 c = n.child;
+            order(k.x, k.y, c.x, c.y);
+            order(k.z, k.w, c.z, c.w);
+            order(k.x, k.z, c.x, c.z);
+            order(k.y, k.w, c.y, c.w);
+            order(k.y, k.z, c.y, c.z);
+            wait(k.w, c.w);
+            wait(k.z, c.z);
+            wait(k.y, c.y);
+            next = k.x < kNotMet ? c.x : next_waiting(best.t);
+        }
+        if (next == kBvhNone) break;
+        if (test_primitive(next & ~kBvhLeaf, origin, direction, t_min, pixel, best) && any_hit) break;
+        next = next_waiting(best.t);
+    }
+    flush_counts(pixel);
+    return best;
+}

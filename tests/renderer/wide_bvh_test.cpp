@@ -1,0 +1,190 @@
+// The program's own tree of boxes: what it holds, how deep it goes, and that refitting is the same as fitting
+// anew.
+#include "renderer/wide_bvh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace relievo::test {
+namespace {
+
+// The arithmetic of shaders/trace/bvh.glsl.
+Box decoded(const gpu::BvhNode& node, int child) {
+    Box box{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const float step = std::ldexp(1.0f, static_cast<int>(node.exponents >> (8 * axis) & 255u) - 127);
+        box.low[axis] = node.origin[axis] + step * static_cast<float>(node.low[axis] >> (8 * child) & 255u);
+        box.high[axis] = node.origin[axis] + step * static_cast<float>(node.high[axis] >> (8 * child) & 255u);
+    }
+    return box;
+}
+
+bool holds(const Box& outer, const Box& inner) {
+    return glm::all(glm::lessThanEqual(outer.low, inner.low)) &&
+           glm::all(glm::greaterThanEqual(outer.high, inner.high));
+}
+
+// Every box is found once, within every box on the way to it; the walk's stack suffices.
+void expect_sound(const WideBvh& bvh, const std::vector<Box>& boxes, const std::string& what) {
+    SCOPED_TRACE(what);
+    ASSERT_LE(bvh.deepest_stack(), gpu::kBvhStack);
+    std::vector<int> met(boxes.size(), 0);
+    struct Visit {
+        std::uint32_t node;
+        std::vector<Box> around;
+    };
+    std::vector<Visit> waiting{{0, {}}};
+    std::size_t nodes = 0;
+    while (!waiting.empty()) {
+        const Visit visit = std::move(waiting.back());
+        waiting.pop_back();
+        ++nodes;
+        const gpu::BvhNode& node = bvh.nodes()[visit.node];
+        bool ended = false;
+        for (int i = 0; i < 4; ++i) {
+            const std::uint32_t child = node.child[i];
+            ended = ended || child == gpu::kBvhNone;
+            ASSERT_EQ(child == gpu::kBvhNone, ended) << "children first, then none";
+            if (ended) continue;
+            std::vector<Box> around = visit.around;
+            around.push_back(decoded(node, i));
+            if (child < gpu::kBvhLeaf) {
+                ASSERT_LT(child, bvh.nodes().size());
+                waiting.push_back({child, around});
+                continue;
+            }
+            const std::uint32_t box = child & ~gpu::kBvhLeaf;
+            ASSERT_LT(box, boxes.size());
+            ++met[box];
+            for (const Box& b : around) ASSERT_TRUE(holds(b, boxes[box])) << "box " << box;
+        }
+    }
+    EXPECT_EQ(nodes, bvh.nodes().size());
+    EXPECT_TRUE(std::ranges::all_of(met, [](int times) { return times == 1; }));
+}
+
+std::vector<Box> random_boxes(std::size_t count, float spread, float size, glm::vec3 centre,
+                              glm::vec3 flat = glm::vec3(1)) {
+    std::mt19937 random(static_cast<unsigned>(count));
+    std::uniform_real_distribution<float> unit(0, 1);
+    const auto point = [&] { return glm::vec3(unit(random), unit(random), unit(random)); };
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::vec3 low = centre + (point() - 0.5f) * spread * flat;
+        boxes.push_back({low, low + point() * size * flat});
+    }
+    return boxes;
+}
+
+TEST(WideBvh, OneBoxTwoBoxesAFewBoxes) {
+    for (std::size_t count = 1; count <= 20; ++count) {
+        const auto boxes = random_boxes(count, 1, 0.3f, glm::vec3(0));
+        expect_sound(WideBvh(boxes), boxes, std::to_string(count));
+    }
+}
+
+TEST(WideBvh, HoldsItsBoxesAtEveryScaleAndPlace) {
+    for (const float scale : {1e-4f, 1.0f, 1e4f})
+        for (const float away : {0.0f, 1.0f, 1e5f}) {
+            const auto boxes = random_boxes(500, scale, 0.05f * scale, glm::vec3(away, -away, 0.3f * away));
+            expect_sound(WideBvh(boxes), boxes, std::to_string(scale) + " at " + std::to_string(away));
+        }
+}
+
+TEST(WideBvh, FlatBoxesPointsAndNeedles) {
+    for (const glm::vec3& flat :
+         {glm::vec3(1, 0, 1), glm::vec3(0, 0, 1), glm::vec3(0), glm::vec3(1, 1e-7f, 1e-30f)})
+        for (const float place : {0.0f, 3.0f, -1e4f}) {
+            const auto boxes = random_boxes(300, 2, 0.1f, glm::vec3(place), flat);
+            expect_sound(WideBvh(boxes), boxes, std::to_string(flat.x) + " " + std::to_string(flat.y));
+        }
+}
+
+TEST(WideBvh, AFlatAxisTakesNoRoom) {
+    const std::vector<Box> boxes{{{-1, 0.5f, -1}, {0, 0.5f, 1}}, {{0, 0.5f, -1}, {1, 0.5f, 1}}};
+    const WideBvh bvh(boxes);
+    const Box box = decoded(bvh.nodes()[0], 0);
+    EXPECT_LT(box.high.y - box.low.y, 1e-5f);
+}
+
+TEST(WideBvh, IdenticalBoxesAndGrowingOnesStayWithinTheStack) {
+    const std::vector<Box> same(100000, Box{glm::vec3(1, 2, 3), glm::vec3(2, 3, 5)});
+    expect_sound(WideBvh(same), same, "identical");
+    std::vector<Box> growing;  // the heuristic likes to cut the largest off, one by one
+    for (int i = 0; i < 2000; ++i)
+        growing.push_back({glm::vec3(0), glm::vec3(std::pow(1.04f, static_cast<float>(i % 1500)))});
+    expect_sound(WideBvh(growing), growing, "growing");
+    std::vector<Box> nested;
+    for (int i = 0; i < 3000; ++i)
+        nested.push_back({glm::vec3(static_cast<float>(-i)), glm::vec3(static_cast<float>(i))});
+    expect_sound(WideBvh(nested), nested, "nested");
+}
+
+TEST(WideBvh, WhatIsNotANumberIsEverywhere) {
+    auto boxes = random_boxes(50, 1, 0.1f, glm::vec3(0));
+    boxes[7].high.y = std::nanf("");
+    boxes[9] = {glm::vec3(-INFINITY), glm::vec3(INFINITY)};
+    const WideBvh bvh(boxes);
+    boxes[7].high.y = 1e30f;
+    boxes[9] = {glm::vec3(-1e30f), glm::vec3(1e30f)};
+    boxes[7].high.y = 1e30f;
+    expect_sound(bvh, boxes, "not finite");
+}
+
+bool equal(const gpu::BvhNode& a, const gpu::BvhNode& b) {
+    return a.origin == b.origin && a.exponents == b.exponents && a.child == b.child && a.low == b.low &&
+           a.high == b.high;
+}
+
+TEST(WideBvh, RefittingAFewIsRefittingAll) {
+    auto boxes = random_boxes(5000, 1, 0.02f, glm::vec3(0));
+    WideBvh few(boxes), all(boxes);
+    std::mt19937 random(1);
+    for (int round = 0; round < 20; ++round) {
+        for (int i = 0; i < 30; ++i) {
+            const auto which = static_cast<std::uint32_t>(random() % boxes.size());
+            const float by = round % 2 == 0 ? 0.01f : -0.002f;
+            boxes[which] = {boxes[which].low - by, boxes[which].high + by};
+            few.set_box(which, boxes[which]);
+        }
+        const auto before = std::vector(few.nodes().begin(), few.nodes().end());
+        const auto changed = few.refit();
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) all.set_box(i, boxes[i]);
+        all.refit();
+        for (std::uint32_t i = 0; i < before.size(); ++i) {
+            ASSERT_TRUE(equal(few.nodes()[i], all.nodes()[i])) << "node " << i;
+            if (!equal(before[i], few.nodes()[i])) {
+                ASSERT_TRUE(std::ranges::find(changed, i) != changed.end()) << "node " << i;
+            }
+        }
+        expect_sound(few, boxes, "refitted");
+    }
+}
+
+TEST(WideBvh, ARefitTouchesAncestorsOnly) {
+    for (const std::size_t count : {1000u, 50000u}) {
+        auto boxes = random_boxes(count, 1, 0.01f, glm::vec3(0));
+        WideBvh bvh(boxes);
+        bvh.set_box(17, {boxes[17].low - 1e-4f, boxes[17].high + 1e-4f});
+        EXPECT_LE(bvh.refit().size(), gpu::kBvhStack / 3) << count;
+        EXPECT_TRUE(bvh.refit().empty());
+    }
+}
+
+TEST(WideBvh, FiftyThousandBoxesAreBuiltAtOnce) {
+    const auto boxes = random_boxes(50000, 1, 0.01f, glm::vec3(0));
+    const auto from = std::chrono::steady_clock::now();
+    const WideBvh bvh(boxes);
+    const double ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count();
+    RecordProperty("build_ms", std::to_string(ms));
+    EXPECT_LT(ms, 5000);  // about 50 on a quiet machine in release; also run under sanitizers and load
+}
+
+}  // namespace
+}  // namespace relievo::test
