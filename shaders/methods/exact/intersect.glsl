@@ -9,7 +9,10 @@
 // (Thonat and others 2021); the path, the overlap and the polish are ours. Triangles whose shell folds are searched by
 // patches instead (patch_search.glsl).
 //
-// What side of the surface the ray is on is carried along: a cell that starts on the other side has been crossed.
+// What side of the surface the ray is on is carried along: a cell that starts on the other side has been crossed. A ray
+// that passes the surface more closely than the chord is true, or whose root leaves its cell when polished, is walked again
+// over a shorter chord, so that coarse chords cost no grazing hit. Limits: what touches within rounding; see also
+// renderer/stability/promises.cpp.
 //
 // Parameters: x: correct_normals (0 or 1).
 const int kMaxStretches = 32768;     // a triangle: beyond, the ray counts as a miss
@@ -22,13 +25,13 @@ const float kOpenMargin = 2e-7f;     // at an edge without neighbour: beyond it 
 const float kMostEdgeMargin = 1e-3f; // or by more where a far ray's rounding asks for it
 const float kBend = 0.05f;           // texels that the path may leave its chord,
 const float kHeightError = 1e-4f;    // how far its height may leave the quadratic, of the amplitude
-const float kSureError = 2e-6f;      // a gap to the surface wider than this, or than the chord's error, is no hit
-const float kRefinement = 0.2f;      // of a chord too bent to tell,
-const float kLeastSpan = 1e-4f;      // down to this part of the path
-const float kBorder = 2e-4f;         // texels
-const float kRest = 3e-6f;           // and one narrower than this is, after Newton's steps,
-const float kLastStep = 1e-3f;       // or one whose last step was shorter than this, in texels and barycentrics
 const float kFirmBend = 0.25f;       // barycentric: beyond, Newton's steps at a chord's end are not trusted
+const float kSureError = 2e-6f;      // of the amplitude: a chord this true decides every passage;
+const float kRefinement = 0.2f;      // one that cannot is cut to this part of itself,
+const float kLeastSpan = 1e-4f;      // down to this part of the path
+const float kBorder = 2e-4f;         // texels that a polished root may lie outside its cell
+const float kRest = 3e-6f;           // of the amplitude: a gap that Newton's steps have closed;
+const float kLastStep = 1e-3f;       // or the last step was shorter than this, in texels and barycentrics
 
 struct Chord {       // the path as s goes from 0 to 1
     float tau, span; // along the ray
