@@ -255,7 +255,11 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
                        (p.flags & (kPrimitiveOpenEdge0 << 2)) != 0u ? kOpenMargin : shared_margin);
     if (kSearch && (p.flags & kPrimitiveSearched) != 0u)
         return search_patches(p, primitive_normals(), ob, o, d, t_min, t_max, rounding, margin, hit);
-    if (!enter_prism(p, o, d, t_min, t_max, shared_margin + p.shell_margin, r)) return false;
+    // The chords lie where they lie whatever t_max is: it only ends the walk. Else the picture would depend on the order
+    // in which a ray meets triangles.
+    if (!enter_prism(p, o, d, t_min, kRayEnd, shared_margin + p.shell_margin, r)) return false;
+    float limit = t_max - r.t0;
+    if (!(r.low <= limit)) return false;
     Shell shell = make_shell(p);
     float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high)) + rounding;
     float sure = kSureError * abs(ob.amplitude) + tolerance, least_span = kLeastSpan * (r.high - r.low);
@@ -276,6 +280,8 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
             if (!(w.c.tau + w.c.span < r.high)) break;
             start_chord(p, shell, r, most_error, 0.1f * least_span, w);
         }
+        // Polishing moves a root by less than half its chord.
+        if (w.c.tau + w.c.span * (w.s - 0.5f) > limit) break;
         float to;
         if (!seek_leaf(p, ob, r, tolerance, w, to)) {
             w.s = 1.0f;
