@@ -142,13 +142,8 @@ void set_heights(gpu::Primitive& p, const DisplacementRange& range) {
     for (const glm::vec2& shift : {p.shift0, p.shift1, p.shift2})
         longest = std::max(longest, std::sqrt(1 + static_cast<double>(glm::dot(shift, shift))));
     const double slack = height_slack(p, range);
-    extend_heights(p, static_cast<float>((range.low > 0 ? range.low / longest : range.low) - slack),
-                   static_cast<float>((range.high < 0 ? range.high / longest : range.high) + slack));
-}
-
-void extend_heights(gpu::Primitive& p, float w_low, float w_high) {
-    p.w_low = w_low;
-    p.w_high = w_high;
+    p.w_low = static_cast<float>((range.low > 0 ? range.low / longest : range.low) - slack);
+    p.w_high = static_cast<float>((range.high < 0 ? range.high / longest : range.high) + slack);
     p.flags = (p.flags & ~gpu::kPrimitiveFolded) | (turns_over(p) ? gpu::kPrimitiveFolded : 0u);
 }
 

@@ -35,8 +35,6 @@ gpu::PrimitiveNormals primitive_normals(const Mesh& mesh, std::uint32_t face);
 
 // Sets w_low, w_high and the folded flag so that the prism holds the surface. Conservative.
 void set_heights(gpu::Primitive& primitive, const DisplacementRange& range);
-// Sets the prism's ends directly (heights along ng) and the folded flag with them.
-void extend_heights(gpu::Primitive& primitive, float w_low, float w_high);
 // For methods that meet S itself, in set_heights' stead: S is displaced along N(b), the parallel prism along
 // sum b_i N_i/(N_i.Ng), and the two differ by at most the shell margin. Where that is large, or the shell folds, the
 // primitive is flagged kPrimitiveSearched and its heights are the range itself.

@@ -234,31 +234,17 @@ void Renderer::State::count_bytes() {
         if (f.name == "min-max pyramid") f.bytes = gpu_scene->pyramid_bytes();
         if (f.name == "opacity maps" && f.built) f.bytes = gpu_scene->opacity_bytes();
         if (f.name == "image") f.bytes = film.image_bytes();
-        if (f.name == "layers" && film.has_aov()) {
+        const auto on_demand = [&](const char* name, bool built, const char* reason, std::uint64_t bytes) {
+            if (!built || f.name != name) return;
             f.built = true;
-            f.reason = "layers were asked for";
-            f.bytes = film.aov_bytes();
-        }
-        if (f.name == "picking" && has_pick_buffers()) {
-            f.built = true;
-            f.reason = "rays were picked";
-            f.bytes = pick_rays.bytes() + pick_results.bytes();
-        }
-        if (f.name == "counters" && film.has_ray_counts()) {
-            f.built = true;
-            f.reason = "counts were asked for";
-            f.bytes = film.ray_counts_bytes();
-        }
-        if (f.name == "ray log" && has_notes()) {
-            f.built = true;
-            f.reason = "a ray was logged";
-            f.bytes = notes.bytes();
-        }
-        if (f.name == "upload staging" && gpu_scene->staging_bytes() > 0) {
-            f.built = true;
-            f.reason = "the map was edited";
-            f.bytes = gpu_scene->staging_bytes();
-        }
+            f.reason = reason;
+            f.bytes = bytes;
+        };
+        on_demand("layers", film.has_aov(), "layers were asked for", film.aov_bytes());
+        on_demand("picking", has_pick_buffers(), "rays were picked", pick_rays.bytes() + pick_results.bytes());
+        on_demand("counters", film.has_ray_counts(), "counts were asked for", film.ray_counts_bytes());
+        on_demand("ray log", has_notes(), "a ray was logged", notes.bytes());
+        on_demand("upload staging", gpu_scene->staging_bytes() > 0, "the map was edited", gpu_scene->staging_bytes());
         report.bytes_total += f.bytes;
     }
 }

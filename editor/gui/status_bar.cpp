@@ -1,26 +1,15 @@
 // The bar at the bottom: what the tool does, the surface under the pointer, and what each stage took.
 #include <imgui.h>
 
-#include <cstdarg>
-#include <cstdio>
 #include <string>
 
 #include "editor/gui/panels.h"
 #include "editor/gui/theme.h"
 #include "editor/gui/widgets.h"
+#include "editor/session/text.h"
 
 namespace relievo::gui {
 namespace {
-
-std::string formatted(const char* format, ...) __attribute__((format(printf, 1, 2)));
-std::string formatted(const char* format, ...) {
-    char text[160];
-    va_list values;
-    va_start(values, format);
-    std::vsnprintf(text, sizeof text, format, values);
-    va_end(values);
-    return text;
-}
 
 std::string tool_hint(const Desk& desk) {
     switch (desk.view.brush_drag) {

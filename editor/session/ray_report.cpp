@@ -2,22 +2,12 @@
 #include "editor/session/ray_report.h"
 
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <glm/geometric.hpp>
+
+#include "editor/session/text.h"
 
 namespace relievo {
 namespace {
-
-std::string formatted(const char* format, ...) __attribute__((format(printf, 1, 2)));
-std::string formatted(const char* format, ...) {
-    char text[256];
-    va_list values;
-    va_start(values, format);
-    std::vsnprintf(text, sizeof text, format, values);
-    va_end(values);
-    return text;
-}
 
 std::string counted(std::size_t count, const char* what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");

@@ -2,6 +2,7 @@
 #include "editor/session/text.h"
 
 #include <charconv>
+#include <cstdarg>
 #include <cstdio>
 
 namespace relievo {
@@ -12,6 +13,15 @@ std::string number_text(double value) {
     const auto end = static_cast<double>(single) == value ? std::to_chars(text, text + sizeof text, single)
                                                           : std::to_chars(text, text + sizeof text, value);
     return {text, end.ptr};
+}
+
+std::string formatted(const char* format, ...) {
+    char text[256];
+    va_list values;
+    va_start(values, format);
+    std::vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    return text;
 }
 
 std::string range_text(double low, double high) {

@@ -18,6 +18,15 @@ ReferenceObject SampleSurface::object() const {
     return object;
 }
 
+SceneObject SampleSurface::scene_object() const {
+    SceneObject object;
+    object.displacement.amplitude = amplitude;
+    object.displacement.midlevel = midlevel;
+    object.displacement.wrap = wrap;
+    object.mesh = mesh;
+    return object;
+}
+
 ReferenceSurface SampleSurface::reference() const {
     const ReferenceObject one = object();
     return ReferenceSurface({&one, 1});

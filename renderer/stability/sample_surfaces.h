@@ -20,6 +20,7 @@ struct SampleSurface {
     int opacity_width = 0;
 
     ReferenceObject object() const;
+    SceneObject scene_object() const;  // without files: the map goes beside it
     ReferenceSurface reference() const;
     // Texels from a height in [0, 1] of the column and row.
     void paint(int w, int h, const std::function<double(int, int)>& value);

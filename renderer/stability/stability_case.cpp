@@ -8,14 +8,7 @@ namespace relievo::stability {
 Scene Case::scene(const NamedView& view) const {
     Scene scene;
     scene.path = "stability";
-    for (const SampleSurface& surface : objects) {
-        SceneObject object;
-        object.displacement.amplitude = surface.amplitude;
-        object.displacement.midlevel = surface.midlevel;
-        object.displacement.wrap = surface.wrap;
-        object.mesh = surface.mesh;
-        scene.objects.push_back(object);
-    }
+    for (const SampleSurface& surface : objects) scene.objects.push_back(surface.scene_object());
     scene.origin = origin;
     scene.camera.eye = view.eye + origin;
     scene.camera.look_at = view.look_at + origin;
@@ -26,10 +19,10 @@ Scene Case::scene(const NamedView& view) const {
 }
 
 std::vector<HeightView> Case::maps() const {
-    std::vector<HeightView> views;
+    std::vector<HeightView> maps;
     for (const SampleSurface& surface : objects)
-        views.push_back({surface.width, surface.height, surface.texels.data()});
-    return views;
+        maps.push_back({surface.width, surface.height, surface.texels.data()});
+    return maps;
 }
 
 ReferenceSurface Case::reference() const {

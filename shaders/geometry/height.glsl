@@ -12,6 +12,11 @@ FUNC float bilinear(vec4 quad, vec2 f) {
     return low + f.y * (high - low);
 }
 
+// Derivatives of `bilinear` by f.
+FUNC vec2 bilinear_gradient(vec4 q, vec2 f) {
+    return vec2((q.y - q.x) * (1.0f - f.y) + (q.w - q.z) * f.y, (q.z - q.x) * (1.0f - f.x) + (q.w - q.y) * f.x);
+}
+
 // Map value at texel coordinates `tx` relative to `base`.
 FUNC float map_value(uint object, ivec2 base, vec2 tx) {
     vec2 cell = floor(tx);
@@ -28,9 +33,7 @@ FUNC vec2 smooth_gradient(uint object, ivec2 base, vec2 tx) {
 // The cell's own gradient: the derivative of the bilinear surface itself.
 FUNC vec2 cell_gradient(uint object, ivec2 base, vec2 tx) {
     vec2 cell = floor(tx);
-    vec2 f = tx - cell;
-    vec4 q = height_quad(object, base + ivec2(cell));
-    return vec2((q.y - q.x) * (1.0f - f.y) + (q.w - q.z) * f.y, (q.z - q.x) * (1.0f - f.x) + (q.w - q.y) * f.x);
+    return bilinear_gradient(height_quad(object, base + ivec2(cell)), tx - cell);
 }
 
 FUNC vec2 texel_at(Primitive p, vec2 b) { return p.tx0 * (1.0f - b.x - b.y) + p.tx1 * b.x + p.tx2 * b.y; }

@@ -11,8 +11,11 @@ FUNC vec3 base_normal(PrimitiveNormals n, vec2 b) {
     return n.n0 * (1.0f - b.x - b.y) + n.n1 * b.x + n.n2 * b.y;
 }
 
+// World units, of a map value.
+FUNC float displacement(ObjectData ob, float value) { return ob.amplitude * (value - ob.midlevel); }
+
 FUNC float displacement_at(Primitive p, ObjectData ob, vec2 b) {
-    return ob.amplitude * (map_value(p.object, primitive_base(p.base), texel_at(p, b)) - ob.midlevel);
+    return displacement(ob, map_value(p.object, primitive_base(p.base), texel_at(p, b)));
 }
 
 FUNC vec3 surface_point(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 b) {

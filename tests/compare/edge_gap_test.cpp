@@ -13,12 +13,7 @@ namespace {
 
 Scene scene_of(const SampleSurface& surface) {
     Scene scene;
-    SceneObject object;
-    object.displacement.amplitude = surface.amplitude;
-    object.displacement.midlevel = surface.midlevel;
-    object.displacement.wrap = surface.wrap;
-    object.mesh = surface.mesh;
-    scene.objects.push_back(object);
+    scene.objects.push_back(surface.scene_object());
     return scene;
 }
 

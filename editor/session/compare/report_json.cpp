@@ -2,16 +2,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "editor/session/compare/ranks_json.h"
 #include "editor/session/compare/report.h"
 
 namespace relievo {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json ranks(const ErrorRanks& r) {
-    return {{"median", r.median}, {"p99", r.p99}, {"p999", r.p999}, {"max", r.most}};
-}
 
 Json pixel_errors(const PixelErrors& e) {
     return {{"both", e.both},

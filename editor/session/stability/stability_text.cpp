@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "editor/session/compare/ranks_json.h"
 #include "editor/session/compare/words.h"
 #include "editor/session/stability/stability_report.h"
 #include "editor/session/text.h"
@@ -17,10 +18,6 @@ using stability::ViewResult;
 
 constexpr Verdict kVerdicts[] = {Verdict::right, Verdict::rough, Verdict::unjudged,
                                  Verdict::known, Verdict::wrong, Verdict::broken};
-
-Json ranks(const ErrorRanks& r) {
-    return {{"median", r.median}, {"p99", r.p99}, {"p999", r.p999}, {"max", r.most}};
-}
 
 Json errors(const ViewResult& view) {
     const ImageComparison& e = view.errors;

@@ -52,8 +52,6 @@ struct Walk {
     int stretches;   // walked
 };
 
-FUNC float displacement(ObjectData ob, float value) { return ob.amplitude * (value - ob.midlevel); }
-
 FUNC bool in_triangle(vec2 b, vec3 margin) {
     return b.x >= -margin.y && b.y >= -margin.z && 1.0f - b.x - b.y >= -margin.x;
 }
@@ -80,9 +78,8 @@ FUNC bool polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec
     for (int i = 0; i < 4; ++i) {
         ShellPoint a = shell_point(p, s, r, tau, b, 1);
         vec2 f = a.tx - cell;
-        float gx = (quad.y - quad.x) * (1.0f - f.y) + (quad.w - quad.z) * f.y;
-        float gy = (quad.z - quad.x) * (1.0f - f.x) + (quad.w - quad.y) * f.x;
-        float slope = a.dh - ob.amplitude * (gx * a.dtx.x + gy * a.dtx.y);
+        vec2 g = bilinear_gradient(quad, f);
+        float slope = a.dh - ob.amplitude * (g.x * a.dtx.x + g.y * a.dtx.y);
         float gap = a.h - displacement(ob, bilinear(quad, f));
         float step_back = slope != 0.0f ? clamp(gap / slope, -reach, reach) : 0.0f;
         tau -= step_back;
@@ -192,8 +189,8 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
             vec2 f = c.tx + c.d * s - cell;
             float kx = quad.y - quad.x, ky = quad.z - quad.x, kxy = quad.x - quad.y - quad.z + quad.w;
             g = vec3(h - displacement(ob, quad.x + kx * f.x + ky * f.y + kxy * f.x * f.y),
-                          c.h.y + 2.0f * s * c.h.z - ob.amplitude * (kx * c.d.x + ky * c.d.y + kxy * (f.x * c.d.y + f.y * c.d.x)),
-                          c.h.z - ob.amplitude * kxy * c.d.x * c.d.y);
+                     c.h.y + 2.0f * s * c.h.z - ob.amplitude * (kx * c.d.x + ky * c.d.y + kxy * (f.x * c.d.y + f.y * c.d.x)),
+                     c.h.z - ob.amplitude * kxy * c.d.x * c.d.y);
             if (w.side == 0.0f) w.side = g.x < 0.0f ? -1.0f : 1.0f;
             root = 0.0f;
             bool crossed = after == 0.0f && g.x * w.side < 0.0f;  // since the last cell's end
@@ -225,8 +222,7 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
         vec2 place = texel_at(p, b) - cell;
         unsure = met && sure < 1e30f && !(min(place.x, place.y) >= -kBorder && max(place.x, place.y) <= 1.0f + kBorder);
         if (unsure) break;
-        if (met && in_triangle(b, margin) && r.t0 + tau >= t_min &&
-            opaque_at(p, b)) {
+        if (met && in_triangle(b, margin) && r.t0 + tau >= t_min && opaque_at(p, b)) {
             hit.t = r.t0 + tau;
             hit.b = b;
             return true;

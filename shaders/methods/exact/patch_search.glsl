@@ -54,11 +54,17 @@ FUNC PatchFrame make_patch_frame(Primitive p, PrimitiveNormals n, vec3 o, vec3 d
     return f;
 }
 
-// Least and greatest displacement over the patch.
-FUNC vec2 patch_displacement(Primitive p, ObjectData ob, PatchFrame f, vec2 corner, float side) {
-    vec2 a = f.tx + f.tx1 * corner.x + f.tx2 * corner.y;
-    vec2 low = a + side * (min(f.tx1, vec2(0.0f)) + min(f.tx2, vec2(0.0f)));
-    vec2 high = a + side * (max(f.tx1, vec2(0.0f)) + max(f.tx2, vec2(0.0f)));
+FUNC vec2 patch_texel(PatchFrame f, vec2 b) { return f.tx + f.tx1 * b.x + f.tx2 * b.y; }
+
+// The texels that the patch covers.
+FUNC void patch_texels(PatchFrame f, vec2 corner, float side, OUT(vec2) low, OUT(vec2) high) {
+    vec2 a = patch_texel(f, corner);
+    low = a + side * (min(f.tx1, vec2(0.0f)) + min(f.tx2, vec2(0.0f)));
+    high = a + side * (max(f.tx1, vec2(0.0f)) + max(f.tx2, vec2(0.0f)));
+}
+
+// Least and greatest displacement over the patch, which covers the texels from `low` to `high`.
+FUNC vec2 patch_displacement(Primitive p, ObjectData ob, vec2 low, vec2 high) {
     vec2 extent = high - low + vec2(2e-3f), cell = floor(low);
     float most = max(extent.x, extent.y);
     if (most > exp2(float(kPyramidLevels))) return vec2(p.w_low, p.w_high);
@@ -75,7 +81,7 @@ FUNC vec2 patch_displacement(Primitive p, ObjectData ob, PatchFrame f, vec2 corn
         int level = most <= 2.0f ? 1 : int(ceil(log2(most)));
         values = map_bounds(p.object, level, base + ivec2(floor(low - vec2(1e-3f))));
     }
-    float d0 = ob.amplitude * (values.x - ob.midlevel), d1 = ob.amplitude * (values.y - ob.midlevel);
+    float d0 = displacement(ob, values.x), d1 = displacement(ob, values.y);
     return vec2(max(min(d0, d1), p.w_low), min(max(d0, d1), p.w_high));
 }
 
@@ -124,10 +130,9 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
     root.inside = false;
     root.decided = false;
     for (int i = 0; i < kPatchSteps; ++i) {
-        vec2 at = f.tx + f.tx1 * b.x + f.tx2 * b.y - cell;
-        vec2 g = vec2((q.y - q.x) * (1.0f - at.y) + (q.w - q.z) * at.y, (q.z - q.x) * (1.0f - at.x) + (q.w - q.y) * at.x);
+        vec2 at = patch_texel(f, b) - cell, g = bilinear_gradient(q, at);
         vec3 n = f.n + f.n1 * b.x + f.n2 * b.y;
-        float inverse = 1.0f / max(length(n), 1e-20f), d = ob.amplitude * (bilinear(q, at) - ob.midlevel);
+        float inverse = 1.0f / max(length(n), 1e-20f), d = displacement(ob, bilinear(q, at));
         vec3 u = n * inverse, s = f.p + f.p1 * b.x + f.p2 * b.y + u * d;
         vec3 s1 = f.p1 + (f.n1 - u * dot(u, f.n1)) * (inverse * d) + u * (ob.amplitude * dot(g, f.tx1));
         vec3 s2 = f.p2 + (f.n2 - u * dot(u, f.n2)) * (inverse * d) + u * (ob.amplitude * dot(g, f.tx2));
@@ -141,7 +146,7 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
         if (max(abs(s.x), abs(s.y)) <= 0.25f * rounding || max(abs(change.x), abs(change.y)) <= 1e-7f) {
             root.b = target;
             root.z = s.z + s1.z * change.x + s2.z * change.y;
-            vec2 place = f.tx + f.tx1 * target.x + f.tx2 * target.y - cell;
+            vec2 place = patch_texel(f, target) - cell;
             root.inside = max(off.x, off.y) <= 0.5f * side + slack && min(place.x, place.y) >= -1e-3f &&
                           max(place.x, place.y) <= 1.001f;
             root.decided = alone;
@@ -172,7 +177,7 @@ FUNC uint even_bits(uint v) {
 FUNC void take_root(Primitive p, PatchFrame f, vec2 b, float z, float t_min, vec3 margin, INOUT(bool) found,
                     INOUT(SurfaceHit) hit) {
     if (!in_triangle(b, margin) || z < t_min || z > hit.t || !opaque_at(p, b)) return;
-    note(kNoteRoot, z, f.tx + f.tx1 * b.x + f.tx2 * b.y, 0.0f, 0.0f);
+    note(kNoteRoot, z, patch_texel(f, b), 0.0f, 0.0f);
     hit.t = z;
     hit.b = b;
     found = true;
@@ -194,24 +199,23 @@ FUNC bool search_patches(Primitive p, PrimitiveNormals n, ObjectData ob, vec3 o,
         vec2 corner = vec2(float(even_bits(code)), float(even_bits(code >> 1u))) * side;
         bool down = false;
         if (corner.x + corner.y < 1.0f) {
-            vec2 range = patch_displacement(p, ob, f, corner, side);
+            vec2 low, high;
+            patch_texels(f, corner, side, low, high);
+            vec2 range = patch_displacement(p, ob, low, high);
             PatchBox box = patch_box(f, corner, side, range);
-            vec2 tx = f.tx + f.tx1 * corner.x + f.tx2 * corner.y;
-            note(kNoteStep, 0.0f, tx, range.y, side * texels);
+            note(kNoteStep, 0.0f, patch_texel(f, corner), range.y, side * texels);
             if (box_met(box, rounding, t_min, hit.t)) {
                 vec3 size = box.high - box.low;
                 bool last = depth == kPatchDepth || max(max(size.x, size.y), size.z) <= least;
                 down = !last;
                 if (last || (side * texels <= kPatchTexels && side * turn <= kPatchTurn)) {
-                    vec2 low = tx + side * (min(f.tx1, vec2(0.0f)) + min(f.tx2, vec2(0.0f)));
-                    vec2 high = tx + side * (max(f.tx1, vec2(0.0f)) + max(f.tx2, vec2(0.0f)));
                     vec2 first = floor(low), count = min(floor(high) - first, vec2(1.0f));
                     bool decided = true;
                     for (int k = 0; k < 4; ++k) {
                         vec2 step = vec2(float(k & 1), float(k >> 1));
                         if (step.x > count.x || step.y > count.y) continue;
                         PatchRoot root = solve_patch(p, ob, f, corner, side, first + step, rounding);
-                        note(kNoteCell, root.z, f.tx + f.tx1 * root.b.x + f.tx2 * root.b.y, 0.0f, root.z);
+                        note(kNoteCell, root.z, patch_texel(f, root.b), 0.0f, root.z);
                         decided = decided && root.decided;
                         if (root.inside) take_root(p, f, root.b, root.z, t_min, margin, found, hit);
                     }
