@@ -14,6 +14,12 @@
 
 FUNC float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
+// Whole numbers from 0 to 2^23 - 1 as integers, by the bits of a float that has no room for a fraction.
+FUNC ivec2 whole(vec2 x) { return floatBitsToInt(x + vec2(8388608.0f)) & 0x7fffff; }
+
+// 2^n for whole n from -126 to 127.
+FUNC float power_of_two(int n) { return intBitsToFloat((n + 127) << 23); }
+
 // Where a ray met the surface of one triangle.
 struct SurfaceHit {
     float t;  // ray parameter

@@ -1,10 +1,12 @@
 // Bilinear heights of the displacement map. The four texels of a cell come from one gather at the corner they share,
 // so that no device's filtering precision enters; the weights are ours.
 //   height_quad(object, cell): texels (0,0) (1,0) (0,1) (1,1) of the cell, in [0, 1]: given by the including side.
+// Cells are whole numbers kept as floats: lavapipe turns a float into an integer one lane at a time (measured: a third of
+// what a stretch or a sample costs).
 #ifndef RELIEVO_HEIGHT_GLSL
 #define RELIEVO_HEIGHT_GLSL
 
-FUNC ivec2 primitive_base(uint base) { return ivec2(int(base & 0xffffu), int(base >> 16)); }
+FUNC vec2 primitive_base(uint base) { return vec2(float(int(base & 0xffffu)), float(int(base >> 16))); }
 
 FUNC float bilinear(vec4 quad, vec2 f) {
     float low = quad.x + f.x * (quad.y - quad.x);
@@ -18,22 +20,22 @@ FUNC vec2 bilinear_gradient(vec4 q, vec2 f) {
 }
 
 // Map value at texel coordinates `tx` relative to `base`.
-FUNC float map_value(uint object, ivec2 base, vec2 tx) {
+FUNC float map_value(uint object, vec2 base, vec2 tx) {
     vec2 cell = floor(tx);
-    return bilinear(height_quad(object, base + ivec2(cell)), tx - cell);
+    return bilinear(height_quad(object, base + cell), tx - cell);
 }
 
 // Gradient of the map value per texel, over half a texel to either side: continuous, unlike the cell's own.
-FUNC vec2 smooth_gradient(uint object, ivec2 base, vec2 tx) {
+FUNC vec2 smooth_gradient(uint object, vec2 base, vec2 tx) {
     float x = map_value(object, base, tx + vec2(0.5f, 0.0f)) - map_value(object, base, tx - vec2(0.5f, 0.0f));
     float y = map_value(object, base, tx + vec2(0.0f, 0.5f)) - map_value(object, base, tx - vec2(0.0f, 0.5f));
     return vec2(x, y);
 }
 
 // The cell's own gradient: the derivative of the bilinear surface itself.
-FUNC vec2 cell_gradient(uint object, ivec2 base, vec2 tx) {
+FUNC vec2 cell_gradient(uint object, vec2 base, vec2 tx) {
     vec2 cell = floor(tx);
-    return bilinear_gradient(height_quad(object, base + ivec2(cell)), tx - cell);
+    return bilinear_gradient(height_quad(object, base + cell), tx - cell);
 }
 
 FUNC vec2 texel_at(Primitive p, vec2 b) { return p.tx0 * (1.0f - b.x - b.y) + p.tx1 * b.x + p.tx2 * b.y; }

@@ -20,6 +20,7 @@ layout(set = 0, binding = kBindOpacity) uniform sampler2D opacity_maps[kObjects]
 layout(set = 0, binding = kBindPyramids) uniform sampler2D pyramids[kObjects];
 layout(push_constant, scalar) uniform PushBlock { PushData push; };
 
+#include "../geometry/dialect.glsl"
 #include "notes.glsl"
 
 // Of the triangle that is being asked: few methods want them before the hit.
@@ -28,13 +29,13 @@ PrimitiveNormals primitive_normals() { return normals[asked_primitive]; }
 ObjectData object_data(uint object) { return objects[kObjects == 1u ? 0u : object]; }
 
 // One gather at the corner that the four texels share: far from any texel's border, so its rounding cannot matter.
-vec4 height_quad(uint object, ivec2 cell) {
+vec4 height_quad(uint object, vec2 cell) {
     count_fetch();
     vec4 g;  // (0,1) (1,1) (1,0) (0,0)
     if (kObjects == 1u) {
-        g = textureGather(maps[0], vec2(cell + 1) / vec2(objects[0].map_size));
+        g = textureGather(maps[0], (cell + 1.0) / vec2(objects[0].map_size));
     } else {
-        g = textureGather(maps[nonuniformEXT(object)], vec2(cell + 1) / vec2(objects[object].map_size));
+        g = textureGather(maps[nonuniformEXT(object)], (cell + 1.0) / vec2(objects[object].map_size));
     }
     return vec4(g.w, g.z, g.x, g.y);
 }
@@ -42,18 +43,17 @@ vec4 height_quad(uint object, ivec2 cell) {
 // Least and greatest map value over the cells (between texel centres) of two by two nodes of 2^level cells a side,
 // beginning with the node that holds `cell`. Levels 1 to kPyramidLevels; a small map's own last level, one node, holds
 // all of it.
-vec2 map_bounds(uint object, int level, ivec2 cell) {
+vec2 map_bounds(uint object, int level, vec2 cell) {
     count_fetch();
     ObjectData ob = object_data(object);
-    if (ob.clamp_wrap != 0u) cell = clamp(cell, ivec2(0), ob.map_size - 1);
-    else cell -= ob.map_size * ivec2(floor((vec2(cell) + 0.5) / vec2(ob.map_size)));
+    vec2 size = vec2(ob.map_size);
+    if (ob.clamp_wrap == 0u) cell -= size * floor((cell + 0.5) / size);
     level = min(level, max(findMSB(max(ob.map_size.x, ob.map_size.y)), 1));
-    ivec2 node = min(cell >> level, max(ob.map_size >> level, ivec2(1)) - 1);
+    ivec2 node = min(whole(clamp(cell, vec2(0.0), size - 1.0)) >> level, max(ob.map_size >> level, ivec2(1)) - 1);
     if (kObjects == 1u) return texelFetch(pyramids[0], node, level - 1).rg;
     return texelFetch(pyramids[nonuniformEXT(object)], node, level - 1).rg;
 }
 
-#include "../geometry/dialect.glsl"
 #include "../geometry/height.glsl"
 #include "../geometry/surface.glsl"
 #include "../geometry/prism.glsl"
@@ -61,7 +61,7 @@ vec2 map_bounds(uint object, int level, ivec2 cell) {
 
 // Texture coordinates of a hit, in the map's own [0, 1) period where it repeats.
 vec2 uv_at(Primitive p, vec2 b) {
-    vec2 texel = vec2(primitive_base(p.base)) + texel_at(p, b) + 0.5;
+    vec2 texel = primitive_base(p.base) + texel_at(p, b) + 0.5;
     return texel / vec2(object_data(p.object).map_size);
 }
 

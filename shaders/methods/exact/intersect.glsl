@@ -132,17 +132,17 @@ FUNC float height_on(Chord c, float s) { return c.h.x + s * (c.h.y + s * c.h.z);
 // chord's end.
 FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INOUT(Walk) w, OUT(float) to) {
     Chord c = w.c;
-    ivec2 base = primitive_base(p.base);
+    vec2 base = primitive_base(p.base);
     float texels = max(max(abs(c.d.x), abs(c.d.y)), 1e-20f);
     to = w.s;
     for (; w.stretches < kMaxStretches && w.s < 1.0f; ++w.stretches) {
         float s = w.s;
-        to = min(s + 0.9f * exp2(float(w.level)) / texels, 1.0f);
+        to = min(s + 0.9f * power_of_two(w.level) / texels, 1.0f);
         vec2 x0 = c.tx + c.d * s, x1 = c.tx + c.d * to;
         vec2 low = min(x0, x1) - vec2(c.bend + 1e-3f);
         float h0 = height_on(c, s), h1 = height_on(c, to), sag = 0.25f * (to - s) * (to - s) * abs(c.h.z) + c.error;
         note(kNoteStep, r.t0 + c.tau + c.span * s, x0, h0, (to - s) * texels);
-        vec2 bounds = map_bounds(p.object, w.level, base + ivec2(floor(low)));
+        vec2 bounds = map_bounds(p.object, w.level, base + floor(low));
         float d0 = displacement(ob, bounds.x), d1 = displacement(ob, bounds.y);
         bool above = min(h0, h1) - sag > max(d0, d1) + tolerance, below = max(h0, h1) + sag < min(d0, d1) - tolerance;
         if ((above && w.side >= 0.0f) || (below && w.side <= 0.0f)) {
@@ -163,7 +163,7 @@ FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INO
 FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float t_min, float tolerance, vec3 margin,
                      float to, float sure, INOUT(Walk) w, OUT(bool) unsure, OUT(SurfaceHit) hit) {
     Chord c = w.c;
-    ivec2 base = primitive_base(p.base);
+    vec2 base = primitive_base(p.base);
     float s = w.s, after = 0.0f, enough = kRest * abs(ob.amplitude) + 0.5f * tolerance;
     unsure = false;
     // Borders are counted, not found again from the position: on large maps that would round back into the last cell.
@@ -182,7 +182,7 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
         vec3 g = vec3(0.0f, 0.0f, 0.0f);
         for (int k = 0; k < kMaxCells && s < to; ++k) {
             float end = min(max(min(leave.x, leave.y), s), to);
-            quad = height_quad(p.object, base + ivec2(cell));
+            quad = height_quad(p.object, base + cell);
             float h = height_on(c, s);
             note(kNoteCell, r.t0 + c.tau + c.span * s, cell, h, r.t0 + c.tau + c.span * end);
             // Height over the patch along the chord, from s on.

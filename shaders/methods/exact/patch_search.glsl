@@ -67,19 +67,19 @@ FUNC void patch_texels(PatchFrame f, vec2 corner, float side, OUT(vec2) low, OUT
 FUNC vec2 patch_displacement(Primitive p, ObjectData ob, vec2 low, vec2 high) {
     vec2 extent = high - low + vec2(2e-3f), cell = floor(low);
     float most = max(extent.x, extent.y);
-    if (most > exp2(float(kPyramidLevels))) return vec2(p.w_low, p.w_high);
-    ivec2 base = primitive_base(p.base);
+    if (most > power_of_two(kPyramidLevels)) return vec2(p.w_low, p.w_high);
+    vec2 base = primitive_base(p.base);
     vec2 values;
     if (cell.x == floor(high.x) && cell.y == floor(high.y)) {
         // Within one cell the extremes of a bilinear height are at the corners.
-        vec4 quad = height_quad(p.object, base + ivec2(cell));
+        vec4 quad = height_quad(p.object, base + cell);
         vec2 f0 = low - cell, f1 = high - cell;
         float v0 = bilinear(quad, f0), v1 = bilinear(quad, vec2(f1.x, f0.y)), v2 = bilinear(quad, vec2(f0.x, f1.y)),
               v3 = bilinear(quad, f1);
         values = vec2(min(min(v0, v1), min(v2, v3)), max(max(v0, v1), max(v2, v3)));
     } else {
         int level = most <= 2.0f ? 1 : int(ceil(log2(most)));
-        values = map_bounds(p.object, level, base + ivec2(floor(low - vec2(1e-3f))));
+        values = map_bounds(p.object, level, base + floor(low - vec2(1e-3f)));
     }
     float d0 = displacement(ob, values.x), d1 = displacement(ob, values.y);
     return vec2(max(min(d0, d1), p.w_low), min(max(d0, d1), p.w_high));
@@ -122,7 +122,7 @@ FUNC bool box_met(PatchBox box, float rounding, float z_min, float z_max) {
 FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner, float side, vec2 cell, float rounding) {
     PatchRoot root;
     vec2 middle = corner + vec2(0.5f * side), b = middle;
-    vec4 q = height_quad(p.object, primitive_base(p.base) + ivec2(cell));
+    vec4 q = height_quad(p.object, primitive_base(p.base) + cell);
     float first = 0.0f, slack = 0.5e-3f * side + 1e-6f;
     bool at_border = false;
     root.b = b;
@@ -195,7 +195,7 @@ FUNC bool search_patches(Primitive p, PrimitiveNormals n, ObjectData ob, vec3 o,
     hit.t = t_max;
     hit.b = vec2(0.0f, 0.0f);
     for (int i = 0; i < kMaxPatches; ++i) {
-        float side = exp2(-float(depth));
+        float side = power_of_two(-depth);
         vec2 corner = vec2(float(even_bits(code)), float(even_bits(code >> 1u))) * side;
         bool down = false;
         if (corner.x + corner.y < 1.0f) {
