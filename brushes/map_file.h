@@ -29,6 +29,16 @@ struct LoadedMap {
     std::shared_ptr<const MapOrigin> origin;
 };
 
+// What a file's head says, without its texels.
+struct MapInfo {
+    int width = 0, height = 0;  // texels
+    int bytes_per_texel = 0;    // of all channels, as loading holds them: 8-bit channels widened to 16
+    MapFormat format = MapFormat::png16;
+};
+
+// Throws as load_map, but for what only the texels tell.
+MapInfo map_info(const std::filesystem::path& path);
+
 // Loads channel 0 of a PNG or TIFF of 8 or 16 bits or an EXR whose channel 0 is half or float. 8-bit values
 // are widened by 257 (and saved as 16 bits). Throws std::invalid_argument that names the file and says what
 // was wrong: missing, cut off, another format, no texels, more than 16384 a side, several images, NaN or

@@ -25,10 +25,13 @@ std::string library_error(std::string text) {
     return text.empty() ? "not a readable image" : text;
 }
 
-PngCheck check_file(const fs::path& path) {
+void check_file(const fs::path& path) {
     std::error_code error;
     if (!fs::exists(path, error)) fail(path, "no such file");
     if (!fs::is_regular_file(path, error)) fail(path, "not a file");
+}
+
+PngCheck check_content(const fs::path& path) {
     const PngCheck check = check_png(path);
     if (!check.damage.empty()) fail(path, "cut off or damaged: " + check.damage);
     return check;
@@ -141,10 +144,22 @@ bool is_float(MapFormat format) {
     return format == MapFormat::exr_half || format == MapFormat::exr_float;
 }
 
+MapInfo map_info(const fs::path& path) {
+    check_file(path);
+    const auto image = open_image(path);
+    check_spec(path, *image);
+    const OIIO::ImageSpec& spec = image->spec();
+    MapInfo info{spec.width, spec.height, 0, format_in(path, *image)};
+    info.bytes_per_texel =
+        is_float(info.format) ? static_cast<int>(spec.pixel_bytes(true)) : spec.nchannels * int{sizeof(std::uint16_t)};
+    return info;
+}
+
 LoadedMap load_map(const fs::path& path, MapRange range) {
     if (!(range.low < range.high) || !std::isfinite(range.high - range.low))
         fail(path, "the range's low must be below its high, both finite");
-    const PngCheck check = check_file(path);
+    check_file(path);
+    const PngCheck check = check_content(path);
     const auto image = open_image(path);
     check_spec(path, *image);
     auto origin = std::make_shared<MapOrigin>();

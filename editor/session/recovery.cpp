@@ -7,8 +7,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
+
+#include "editor/session/user_folders.h"
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -57,14 +58,7 @@ std::optional<AbandonedJournal> read_abandoned(const fs::path& path) {
 }  // namespace
 
 fs::path recovery_folder() {
-    const auto absolute_of = [](const char* name) -> fs::path {
-        const char* value = std::getenv(name);
-        return value && *value == '/' ? fs::path(value) : fs::path();
-    };
-    if (const fs::path state = absolute_of("XDG_STATE_HOME"); !state.empty()) return state / "relievo";
-    if (const fs::path home = absolute_of("HOME"); !home.empty())
-        return home / ".local" / "state" / "relievo";
-    return fs::temp_directory_path() / ("relievo-" + std::to_string(getuid()));
+    return state_folder();
 }
 
 fs::path new_recovery_journal(const fs::path& scene) {

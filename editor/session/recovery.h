@@ -9,8 +9,7 @@
 
 namespace relievo {
 
-// $XDG_STATE_HOME/relievo, else ~/.local/state/relievo, else a folder of the temporary directory. Not
-// created.
+// The user's state folder (user_folders.h). Not created.
 std::filesystem::path recovery_folder();
 
 // A new file name in recovery_folder(), which it creates. Unique to this process and call.

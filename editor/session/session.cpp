@@ -32,7 +32,7 @@ struct Session::State {
         : options(given),
           scene(open_scene(scene_file, options.method, options.parameters)),
           start_map(options.map.empty() ? displacement().map : options.map),
-          file(open_map(displacement(), start_map)),
+          file(open_map(displacement(), start_map, traced_by())),
           surface(scene.objects.front().mesh, displacement(), file.map),
           sculptor(file.map, surface, options.undo_budget) {
         brush.radius = scene.objects.front().mesh.sphere_radius * 0.1f;
@@ -54,11 +54,13 @@ struct Session::State {
 
     const Displacement& displacement() const { return scene.objects.front().displacement; }
 
+    const MethodChoice* traced_by() const { return options.with_renderer ? &scene.method : nullptr; }
+
     void open_view() {
         others.reserve(scene.objects.size());
         for (std::size_t i = 1; i < scene.objects.size(); ++i) {
             const Displacement& other = scene.objects[i].displacement;
-            others.push_back(open_map(other, other.map));
+            others.push_back(open_map(other, other.map, traced_by()));
         }
         view = std::make_unique<SessionView>(scene, maps(), options);
     }

@@ -1,0 +1,107 @@
+// See derived_scene.h.
+#include "editor/session/derived_scene.h"
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "brushes/atomic_file.h"
+#include "editor/session/memory_estimate.h"
+#include "editor/session/text.h"
+#include "editor/session/user_folders.h"
+#include "renderer/scene/scene.h"
+
+namespace relievo {
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::json;
+
+// Files are told apart by what they say: NAME-<hash>.json.
+fs::path write_scene(const json& scene, const std::string& name) {
+    const fs::path folder = state_folder() / "scenes";
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw std::invalid_argument(folder.string() + ": cannot create the folder: " + error.message());
+    const std::string text = scene.dump(2) + "\n";
+    const fs::path path =
+        folder / (name + "-" + formatted("%016zx", std::hash<std::string>{}(text)) + ".json");
+    write_file_atomically(path, std::as_bytes(std::span(text)));
+    return path;
+}
+
+void make_absolute(json& object, const char* key, const fs::path& folder) {
+    if (object.contains(key))
+        object[key] = (folder / object[key].get<std::string>()).lexically_normal().string();
+}
+
+// The scene's own text with absolute paths. It was loaded before: its shape is known to be right.
+json movable(const Scene& scene) {
+    json root = json::parse(std::ifstream(scene.path));
+    const fs::path folder = scene.path.parent_path();
+    root.erase("$schema");
+    for (json& object : root["objects"]) {
+        make_absolute(object, "mesh", folder);
+        make_absolute(object, "opacity_map", folder);
+        if (object.contains("displacement")) make_absolute(object["displacement"], "map", folder);
+    }
+    return root;
+}
+
+fs::path with_map(const Scene& scene, const fs::path& map) {
+    json root = movable(scene);
+    json& displacement = root["objects"][0]["displacement"];
+    displacement.erase("size");
+    displacement["map"] = fs::absolute(map).lexically_normal().string();
+    return write_scene(root, scene.path.stem().string() + "-" + map.stem().string());
+}
+
+bool fits(MapFormat named, MapFormat format) {
+    return named == format || (named == MapFormat::exr_float && format == MapFormat::exr_half);
+}
+
+}  // namespace
+
+fs::path scene_of_mesh(const fs::path& mesh) {
+    const json scene{{"relievo", 1},
+                     {"objects", {{{"mesh", fs::absolute(mesh).lexically_normal().string()}}}}};
+    const fs::path path = write_scene(scene, mesh.stem().string());
+    try {
+        load_scene(path);
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(path, ignored);
+        throw;
+    }
+    return path;
+}
+
+fs::path scene_with_map(const fs::path& scene, const fs::path& map) {
+    map_info(map);  // throws where it is no map
+    return with_map(load_scene(scene), map);
+}
+
+fs::path scene_with_new_map(const fs::path& scene, const NewMap& map) {
+    const Scene from = load_scene(scene);
+    const Displacement& displacement = from.objects.front().displacement;
+    if (!fits(format_of(map.path), map.format))
+        throw std::invalid_argument("map '" + map.path.string() +
+                                    "': the extension names another format than was asked for");
+    const auto in_range = [](int side) { return side >= 1 && side <= HeightMap::kMaxSize; };
+    if (!in_range(map.width) || !in_range(map.height))
+        throw std::invalid_argument("map '" + map.path.string() + "': a side must be in [1, " +
+                                    std::to_string(HeightMap::kMaxSize) + "] texels");
+    const MapInfo info{map.width, map.height, 4, map.format};
+    require_memory(map.path, info, estimate_memory(info, true, true), available_memory());
+    const auto flat = static_cast<std::uint16_t>(std::lround(displacement.midlevel * 65535));
+    save_map(HeightMap(map.width, map.height, flat), map.path, map.format,
+             {displacement.range_low, displacement.range_high});
+    return with_map(from, map.path);
+}
+
+}  // namespace relievo

@@ -1,0 +1,32 @@
+// Scene files for what a user drops on the window or asks for without having one: a bare mesh, another map
+// for the edited object, a new map. They lie in the user's state folder, so that recent files, journals and
+// recovery find them again; the same wish names the same file.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "brushes/map_file.h"
+
+namespace relievo {
+
+// A scene of the mesh with a new map. Throws std::invalid_argument as load_scene does when the mesh cannot be
+// used.
+std::filesystem::path scene_of_mesh(const std::filesystem::path& mesh);
+
+// The scene with another map in the edited object's displacement, everything else as it is. Throws
+// std::invalid_argument when either cannot be read.
+std::filesystem::path scene_with_map(const std::filesystem::path& scene, const std::filesystem::path& map);
+
+struct NewMap {
+    std::filesystem::path path;       // its extension must fit the format
+    int width = 1024, height = 1024;  // texels, [1, HeightMap::kMaxSize]
+    MapFormat format = MapFormat::png16;
+};
+
+// Writes a flat map at the midlevel of the scene's edited object, and the scene with it. Throws
+// std::invalid_argument on a size out of range, an extension of another format, a map that does not fit into
+// memory, or an unwritable file.
+std::filesystem::path scene_with_new_map(const std::filesystem::path& scene, const NewMap& map);
+
+}  // namespace relievo

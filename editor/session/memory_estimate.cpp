@@ -1,0 +1,82 @@
+// See memory_estimate.h.
+#include "editor/session/memory_estimate.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "editor/session/text.h"
+
+namespace relievo {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t kWithoutLimit = std::numeric_limits<std::uint64_t>::max();
+
+// Bytes a texel beside the texel itself.
+constexpr double kSurfaceTables = 0.25;  // which texels are owned, height bounds
+constexpr double kPyramid = 3;  // overlapping bounds of levels 1 to 7, on the device and while they are made
+
+// "Key:   12345 kB" of a /proc file, in bytes.
+std::uint64_t proc_value(const char* file, const std::string& key) {
+    std::ifstream in(file);
+    for (std::string word; in >> word;) {
+        std::uint64_t value = 0;
+        if (word == key + ":" && in >> value) return value * 1024;
+    }
+    return kWithoutLimit;
+}
+
+// The first number in a file; a word such as "max" is no limit.
+std::uint64_t number_in(const char* file) {
+    std::uint64_t value = 0;
+    return std::ifstream(file) >> value ? value : kWithoutLimit;
+}
+
+std::uint64_t rest(std::uint64_t limit, std::uint64_t used) {
+    if (limit == kWithoutLimit || used == kWithoutLimit) return kWithoutLimit;
+    return limit > used ? limit - used : 0;
+}
+
+}  // namespace
+
+MapMemory estimate_memory(const MapInfo& map, bool with_renderer, bool with_pyramid) {
+    const double texels = static_cast<double>(map.width) * map.height;
+    const double file = texels * map.bytes_per_texel;
+    const bool file_kept = map.bytes_per_texel > 2 || map.format == MapFormat::exr_half;
+    MapMemory need;
+    need.editing = static_cast<std::uint64_t>(texels * (sizeof(std::uint16_t) + kSurfaceTables) +
+                                              (file_kept ? file : 0));
+    need.passing = static_cast<std::uint64_t>(file);
+    if (with_renderer)
+        need.device =
+            static_cast<std::uint64_t>(texels * (sizeof(std::uint16_t) + (with_pyramid ? kPyramid : 0)));
+    return need;
+}
+
+std::uint64_t available_memory() {
+    std::uint64_t least = proc_value("/proc/meminfo", "MemAvailable");
+    least = std::min(
+        least, rest(number_in("/sys/fs/cgroup/memory.max"), number_in("/sys/fs/cgroup/memory.current")));
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        least = std::min(least, rest(limit.rlim_cur, proc_value("/proc/self/status", "VmSize")));
+    return least;
+}
+
+void require_memory(const fs::path& map, const MapInfo& info, const MapMemory& need,
+                    std::uint64_t available) {
+    const std::uint64_t total = need.editing + need.passing + need.device;
+    if (total <= available) return;
+    throw std::invalid_argument("map '" + map.string() + "': " + std::to_string(info.width) + " x " +
+                                std::to_string(info.height) + " texels take about " + bytes_text(total) +
+                                " of memory, " + bytes_text(available) +
+                                " are free; close other programs or take a smaller map");
+}
+
+}  // namespace relievo

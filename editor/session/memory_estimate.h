@@ -1,0 +1,31 @@
+// What a map will take in memory, asked before it is loaded: a map that does not fit is refused in words, not
+// by the system's killer.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "brushes/map_file.h"
+
+namespace relievo {
+
+// Bytes. The figures are bounds from above, measured at 2048 to 8192 texels a side; undo steps come on top,
+// up to their own budget.
+struct MapMemory {
+    std::uint64_t editing = 0;  // texels, what of the file is kept for saving, texel tables of the surface
+    std::uint64_t passing = 0;  // while the file is read or written
+    std::uint64_t device = 0;   // image, and the min-max pyramid where the method bounds heights
+};
+MapMemory estimate_memory(const MapInfo& map, bool with_renderer, bool with_pyramid);
+
+// What this process may still take: the least of the system's available memory, the control group's rest and
+// the process's own limit of address space.
+std::uint64_t available_memory();
+
+// Throws std::invalid_argument when `need` is more than `available`: names the map, its size, both amounts,
+// and what would help. Device memory counts too: the processor's own where it is the device, and where it is
+// not, copies pass through as large.
+void require_memory(const std::filesystem::path& map, const MapInfo& info, const MapMemory& need,
+                    std::uint64_t available);
+
+}  // namespace relievo

@@ -1,0 +1,86 @@
+// A dropped mesh or map, and a new map, become scenes that open, save and recover as any other.
+#include "editor/session/derived_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "editor/session/session.h"
+#include "tests/session/test_scene.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DerivedScene : public testing::Test {
+  protected:
+    DerivedScene() {
+        setenv("XDG_STATE_HOME", (folder_.path() / "state").c_str(), 1);
+        scene_ = test::write_scene(folder_.path());
+    }
+    ~DerivedScene() override { unsetenv("XDG_STATE_HOME"); }
+
+    fs::path at(const char* name) const { return folder_.path() / name; }
+
+    test::TemporaryFolder folder_;
+    fs::path scene_;
+};
+
+TEST_F(DerivedScene, AMeshOpensWithANewMap) {
+    const fs::path scene = scene_of_mesh(at("sheet.obj"));
+    Session session(scene, test::headless());
+    EXPECT_EQ(session.map().width(), 1024);
+    EXPECT_FALSE(session.map_path());
+    EXPECT_EQ(scene_of_mesh(at("sheet.obj")), scene) << "the same mesh is the same recent file";
+}
+
+TEST_F(DerivedScene, AMeshThatCannotBeUsedLeavesNoScene) {
+    test::write_text(at("bad.obj"), "v 0 0\n");
+    EXPECT_THROW(scene_of_mesh(at("bad.obj")), std::invalid_argument);
+    EXPECT_TRUE(fs::is_empty(folder_.path() / "state" / "relievo" / "scenes"));
+}
+
+TEST_F(DerivedScene, AnotherMapKeepsTheRestOfTheScene) {
+    save_map(HeightMap(33, 20, 7), at("other.tif"), MapFormat::tiff16);
+    const fs::path scene = scene_with_map(scene_, at("other.tif"));
+    Session session(scene, test::headless()), before(scene_, test::headless());
+    EXPECT_EQ(session.map().width(), 33);
+    EXPECT_EQ(session.map_path(), at("other.tif"));
+    EXPECT_EQ(session.scene().objects[0].displacement.amplitude,
+              before.scene().objects[0].displacement.amplitude);
+    EXPECT_EQ(session.header().mesh_hash, before.header().mesh_hash);
+}
+
+TEST_F(DerivedScene, WhatIsNoMapIsRefused) {
+    EXPECT_THROW(scene_with_map(scene_, at("sheet.obj")), std::invalid_argument);
+    EXPECT_THROW(scene_with_map(scene_, at("none.png")), std::invalid_argument);
+}
+
+TEST_F(DerivedScene, ANewMapOfEachFormatStartsAtMidlevelAndIsSavedAsItWasAskedFor) {
+    for (const auto& [name, format] :
+         {std::pair{"n.png", MapFormat::png16}, std::pair{"n.tiff", MapFormat::tiff16},
+          std::pair{"f.exr", MapFormat::exr_float}, std::pair{"h.exr", MapFormat::exr_half}}) {
+        const fs::path scene = scene_with_new_map(scene_, {at(name), 48, 17, format});
+        Session session(scene, test::headless());
+        EXPECT_EQ(session.map().width(), 48);
+        EXPECT_EQ(session.map().height(), 17);
+        EXPECT_NEAR(session.map().at(5, 5) / 65535.0, session.scene().objects[0].displacement.midlevel, 1e-3)
+            << name;
+        test::sculpt(session, 2);
+        session.save(*session.map_path());
+        EXPECT_EQ(map_info(at(name)).format, format) << name;
+    }
+}
+
+TEST_F(DerivedScene, ANewMapOfAWrongSizeOrNameIsRefused) {
+    EXPECT_THROW(scene_with_new_map(scene_, {at("n.png"), 0, 16, MapFormat::png16}), std::invalid_argument);
+    EXPECT_THROW(scene_with_new_map(scene_, {at("n.png"), 16, 16385, MapFormat::png16}),
+                 std::invalid_argument);
+    EXPECT_THROW(scene_with_new_map(scene_, {at("n.tif"), 16, 16, MapFormat::png16}), std::invalid_argument);
+    EXPECT_FALSE(fs::exists(at("n.png")));
+}
+
+}  // namespace
+}  // namespace relievo
