@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "editor/cli/verbs.h"
+#include "editor/session/derived_scene.h"
 
 namespace relievo {
 namespace {
@@ -16,7 +17,9 @@ struct EditOptions {
 };
 
 int run_edit(const EditOptions& options, const EditorEntry& editor) {
-    EditRequest request{options.scene, session_options(options.common, options.method, options.window)};
+    const bool bare_mesh = kind_of_file(options.scene) == FileKind::mesh;
+    EditRequest request{bare_mesh ? scene_of_mesh(options.scene).string() : options.scene,
+                        session_options(options.common, options.method, options.window)};
     request.session.for_window = true;
     request.session.recovery = true;
     request.session.journal = options.journal;
@@ -32,7 +35,7 @@ int run_edit(const EditOptions& options, const EditorEntry& editor) {
 void add_edit(CLI::App& app, Command& command, const EditorEntry& editor) {
     CLI::App& verb = *app.add_subcommand("edit", "Sculpt in a window (what relievo does without a verb)");
     const auto options = std::make_shared<EditOptions>();
-    verb.add_option("SCENE", options->scene, "Scene file (JSON)");
+    verb.add_option("SCENE", options->scene, "Scene file (JSON), or a mesh for a new map");
     verb.add_option("--journal", options->journal, "Record the session in this new file")->type_name("FILE");
     verb.add_option("--size", options->window.size, "Size of the window, like 1440x860")->type_name("WxH");
     add_common(verb, options->common);

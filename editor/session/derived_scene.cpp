@@ -1,12 +1,14 @@
 // See derived_scene.h.
 #include "editor/session/derived_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "brushes/atomic_file.h"
 #include "editor/session/memory_estimate.h"
@@ -66,6 +68,18 @@ bool fits(MapFormat named, MapFormat format) {
 }
 
 }  // namespace
+
+FileKind kind_of_file(const fs::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    const auto among = [&](std::initializer_list<std::string_view> known) {
+        return std::find(known.begin(), known.end(), extension) != known.end();
+    };
+    if (extension == ".json") return FileKind::scene;
+    if (among({".obj", ".ply", ".off", ".stl"})) return FileKind::mesh;
+    if (among({".png", ".tif", ".tiff", ".exr"})) return FileKind::map;
+    return FileKind::unknown;
+}
 
 fs::path scene_of_mesh(const fs::path& mesh) {
     const json scene{{"relievo", 1},

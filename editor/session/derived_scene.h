@@ -10,6 +10,10 @@
 
 namespace relievo {
 
+// What a file is by its extension, in either case.
+enum class FileKind { scene, mesh, map, unknown };
+FileKind kind_of_file(const std::filesystem::path& path);
+
 // A scene of the mesh with a new map. Throws std::invalid_argument as load_scene does when the mesh cannot be
 // used.
 std::filesystem::path scene_of_mesh(const std::filesystem::path& mesh);

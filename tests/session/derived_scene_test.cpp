@@ -28,6 +28,14 @@ class DerivedScene : public testing::Test {
     fs::path scene_;
 };
 
+TEST_F(DerivedScene, FilesAreToldApartByTheirExtensionInEitherCase) {
+    EXPECT_EQ(kind_of_file("a/b.JSON"), FileKind::scene);
+    EXPECT_EQ(kind_of_file("b.Obj"), FileKind::mesh);
+    EXPECT_EQ(kind_of_file("b.tiff"), FileKind::map);
+    EXPECT_EQ(kind_of_file("png"), FileKind::unknown);
+    EXPECT_EQ(kind_of_file(""), FileKind::unknown);
+}
+
 TEST_F(DerivedScene, AMeshOpensWithANewMap) {
     const fs::path scene = scene_of_mesh(at("sheet.obj"));
     Session session(scene, test::headless());
