@@ -31,6 +31,7 @@ constexpr std::array kBindings{
     Binding{gpu::kBindPyramids, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
     Binding{gpu::kBindRayCounts, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
     Binding{gpu::kBindNotes, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    Binding{gpu::kBindProcedural, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
 };
 static_assert(kBindings.size() == gpu::kBindCount);
 

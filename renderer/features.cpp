@@ -33,6 +33,11 @@ const char* why_best(TracePath path) {
     }
 }
 
+bool any_procedural(const Scene& scene) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [](const SceneObject& o) { return o.displacement.procedural.has_value(); });
+}
+
 }  // namespace
 
 Features derive_features(const Scene& scene, const FeatureRequest& request) {
@@ -45,6 +50,7 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.mended_creases = request.has_creases && request.method->geometry == GeometryKind::parallel_prisms;
     f.pyramid = all || request.method->needs_pyramid;
     f.true_shell = request.method->geometry == GeometryKind::surface_bounds;
+    f.procedural = all || any_procedural(scene);
     f.searched = f.true_shell && (all || request.has_searched);
     f.path = request.path;
     return f;
@@ -71,6 +77,9 @@ class Describer {
         const Features& f = features_;
         add("base mesh prisms", true, "every triangle is met as one box in one tree");
         add("displacement maps", true, "the surface itself, 16 bits a texel");
+        add_needed("procedural heights", f.procedural, any_procedural(scene_),
+                   "an object's heights are made of an exemplar: its Gaussianised texels stand in the map's place",
+                   "all heights are maps");
         add("height bounds", true, "each triangle's box is as high as its own part of the map (kept on the processor)");
         add_needed("min-max pyramid", f.pyramid, request_.method->needs_pyramid, method_ + " bounds the map by it",
                    method_ + " samples heights and needs no bounds of the map");

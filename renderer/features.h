@@ -34,6 +34,7 @@ struct Features {
     bool mended_creases = false; // triangles inserted along folded edges (paper 002, section 5.4)
     bool pyramid = false;        // min-max pyramid of the map on the device
     bool true_shell = false;     // boxes and clipping hold S itself, not only the parallel prism's surface
+    bool procedural = false;     // heights made of an exemplar
     bool searched = false;       // search of triangles whose shell folds
     TracePath path = TracePath::ray_query;  // never automatic
 };

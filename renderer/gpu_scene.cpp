@@ -103,24 +103,43 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         data.clamp_wrap = objects_[i].wrap == Wrap::clamp ? 1 : 0;
         set_material(i, scene.objects[i].material);
     }
+    procedural_ = vulkan::Buffer(context, features.procedural ? objects_.size() * sizeof(gpu::ProceduralData) : 0, kStorage,
+                                 vulkan::Access::host);
+    for (std::size_t i = 0; features.procedural && i < objects_.size(); ++i) {
+        gpu::ProceduralData& data = procedural_.as<gpu::ProceduralData>()[i];
+        data = objects_[i].source ? objects_[i].source->data() : gpu::ProceduralData{};
+        data.inverse = vulkan::address_words(objects_[i].inverse.address());
+    }
     staging_ = {};  // as large as the largest map; edits are smaller
 }
 
 void GpuScene::add_object(const SceneObject& description, const HeightView& map, const Features& features,
                           std::vector<gpu::Primitive>& primitives) {
     Object& object = objects_.back();
+    const Displacement& displacement = description.displacement;
+    object.wrap = displacement.wrap;
+    object.amplitude = displacement.amplitude;
+    object.midlevel = displacement.midlevel;
+    if (displacement.procedural) {
+        object.source = std::make_unique<ProceduralSource>(*displacement.procedural, map.width, map.height, map.texels);
+        load_source(object);
+    } else {
+        object.bounds = std::make_unique<HeightBounds>(map.width, map.height, map.texels, object.wrap);
+        object.lookup = std::make_unique<TriangleLookup>(object.mesh, map.width, map.height, object.wrap);
+    }
+    add_primitives(object, {{map.width, map.height}, object.wrap == Wrap::clamp, object.source.get()}, primitives);
+    const HeightView shown{map.width, map.height, object.source ? object.source->gaussianised().data() : map.texels};
+    load_map(object, shown, features.pyramid);
+    load_opacity(description, object, features.opacity);
+}
+
+void GpuScene::add_primitives(Object& object, const TexelSpace& texels, std::vector<gpu::Primitive>& primitives) {
     const auto index = static_cast<std::uint32_t>(objects_.size() - 1);
-    object.wrap = description.displacement.wrap;
-    object.amplitude = description.displacement.amplitude;
-    object.midlevel = description.displacement.midlevel;
-    const bool clamp = object.wrap == Wrap::clamp;
-    object.bounds = std::make_unique<HeightBounds>(map.width, map.height, map.texels, object.wrap);
-    object.lookup = std::make_unique<TriangleLookup>(object.mesh, map.width, map.height, object.wrap);
     object.primitive_of.assign(object.mesh.faces.size(), kNone);
     object.ranges.resize(object.mesh.faces.size());
     const auto uses = count_edge_uses(object.mesh);
     for (std::uint32_t face = 0; face < object.mesh.faces.size(); ++face) {
-        auto p = make_primitive(object.mesh, face, index, {map.width, map.height}, clamp);
+        auto p = make_primitive(object.mesh, face, index, texels);
         if (!p) continue;
         flag_open_edges(object.mesh, face, uses, *p);
         object.ranges[face] = range_of(object, face);
@@ -128,6 +147,16 @@ void GpuScene::add_object(const SceneObject& description, const HeightView& map,
         any_searched_ = any_searched_ || (p->flags & gpu::kPrimitiveSearched) != 0;
         primitives.push_back(*p);
     }
+}
+
+void GpuScene::load_source(Object& object) {
+    const auto table = object.source->inverse();
+    object.inverse = vulkan::Buffer(context_, table.size_bytes(), kStorage, vulkan::Access::host);
+    std::memcpy(object.inverse.mapped(), table.data(), table.size_bytes());
+}
+
+void GpuScene::load_map(Object& object, const HeightView& map, bool pyramid) {
+    const bool clamp = object.wrap == Wrap::clamp;
     object.map = vulkan::Image(context_, map.width, map.height, VK_FORMAT_R16_UNORM, kTexture);
     object.map_sampler = vulkan::make_sampler(context_, clamp, false);
     commands_.run([&](VkCommandBuffer cmd) {
@@ -139,8 +168,7 @@ void GpuScene::add_object(const SceneObject& description, const HeightView& map,
         const TexelRegion band{0, y, map.width, std::min(map.height, y + kBand)};
         upload_texels(object, map, std::span(&band, 1));
     }
-    load_opacity(description, object, features.opacity);
-    load_pyramid(object, map, features.pyramid);
+    load_pyramid(object, map, pyramid);
 }
 
 void GpuScene::load_pyramid(Object& object, const HeightView& map, bool wanted) {
@@ -206,9 +234,16 @@ void GpuScene::upload_pyramid(Object& object, const std::vector<HeightPyramid::N
 }
 
 DisplacementRange GpuScene::range_of(const Object& object, std::uint32_t face) const {
-    const HeightRange counts = object.bounds->range(object.mesh, face);
-    const double a = object.amplitude * (counts.low / 65535.0 - object.midlevel);
-    const double b = object.amplitude * (counts.high / 65535.0 - object.midlevel);
+    double low, high;
+    if (object.source) {
+        const auto& uv = object.mesh.faces[face].uv;
+        const auto range = object.source->range({object.mesh.uvs[uv[0]], object.mesh.uvs[uv[1]], object.mesh.uvs[uv[2]]});
+        low = range.low, high = range.high;
+    } else {
+        const HeightRange counts = object.bounds->range(object.mesh, face);
+        low = counts.low / 65535.0, high = counts.high / 65535.0;
+    }
+    const double a = object.amplitude * (low - object.midlevel), b = object.amplitude * (high - object.midlevel);
     return {std::min(a, b), std::max(a, b)};
 }
 
@@ -238,6 +273,7 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     UploadStats stats;
     if (regions.empty()) return stats;
     Object& object = objects_[index];
+    if (object.source) throw std::logic_error("procedural heights are not edited");
     Stopwatch watch;
     upload_texels(object, map, regions);
     if (object.pyramid)
@@ -326,10 +362,11 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
     const VkAccelerationStructureKHR top = tree_.acceleration_structure();
     VkWriteDescriptorSetAccelerationStructureKHR structure{
         VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR, nullptr, 1, &top};
-    const std::array<VkDescriptorBufferInfo, 3> buffers{
+    const std::array<VkDescriptorBufferInfo, 4> buffers{
         VkDescriptorBufferInfo{primitives_.get(), 0, VK_WHOLE_SIZE},
         VkDescriptorBufferInfo{normals_.get(), 0, VK_WHOLE_SIZE},
-        VkDescriptorBufferInfo{object_data_.get(), 0, VK_WHOLE_SIZE}};
+        VkDescriptorBufferInfo{object_data_.get(), 0, VK_WHOLE_SIZE},
+        VkDescriptorBufferInfo{procedural_.get(), 0, VK_WHOLE_SIZE}};
     std::vector<VkDescriptorImageInfo> maps, opacities, pyramids;
     for (const Object& o : objects_) {
         maps.push_back({o.map_sampler.get(), o.map.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
@@ -350,6 +387,7 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
     add(gpu::kBindPrimitives, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[0];
     add(gpu::kBindNormals, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[1];
     add(gpu::kBindObjects, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[2];
+    add(gpu::kBindProcedural, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1).pBufferInfo = &buffers[3];
     add(gpu::kBindMaps, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, maps.size()).pImageInfo = maps.data();
     add(gpu::kBindOpacity, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, opacities.size()).pImageInfo = opacities.data();
     add(gpu::kBindPyramids, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, pyramids.size()).pImageInfo = pyramids.data();
@@ -363,6 +401,12 @@ std::uint64_t GpuScene::primitive_bytes() const {
 std::uint64_t GpuScene::map_bytes() const {
     std::uint64_t sum = 0;
     for (const Object& o : objects_) sum += o.map.bytes();
+    return sum;
+}
+
+std::uint64_t GpuScene::procedural_bytes() const {
+    std::uint64_t sum = procedural_.bytes();
+    for (const Object& o : objects_) sum += o.inverse.bytes();
     return sum;
 }
 

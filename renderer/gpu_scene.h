@@ -43,6 +43,7 @@ class GpuScene {
     std::uint64_t primitive_bytes() const;
     std::uint64_t tree_bytes() const { return tree_.bytes(); }
     std::uint64_t map_bytes() const;
+    std::uint64_t procedural_bytes() const;
     std::uint64_t opacity_bytes() const;
     std::uint64_t pyramid_bytes() const;
     std::uint64_t staging_bytes() const { return staging_.bytes(); }  // since the first edit; 0 before
@@ -55,6 +56,8 @@ class GpuScene {
         std::unique_ptr<HeightBounds> bounds;
         std::unique_ptr<TriangleLookup> lookup;
         std::unique_ptr<HeightPyramid> pyramid;  // where the method bounds heights
+        std::unique_ptr<ProceduralSource> source;  // of procedural heights; then bounds and lookup are not there, and
+        vulkan::Buffer inverse;                    // the map is the Gaussianised exemplar
         vulkan::Image map, opacity, pyramid_image;
         vulkan::SamplerHandle map_sampler, opacity_sampler;
         Wrap wrap = Wrap::repeat;
@@ -62,6 +65,9 @@ class GpuScene {
     };
     void add_object(const SceneObject& object, const HeightView& map, const Features& features,
                     std::vector<gpu::Primitive>& primitives);
+    void add_primitives(Object& object, const TexelSpace& texels, std::vector<gpu::Primitive>& primitives);
+    void load_map(Object& object, const HeightView& map, bool pyramid);
+    void load_source(Object& object);
     void load_pyramid(Object& object, const HeightView& map, bool wanted);
     void load_opacity(const SceneObject& description, Object& object, bool wanted);
     void upload_texels(Object& object, const HeightView& map, std::span<const TexelRegion> regions);
@@ -77,7 +83,7 @@ class GpuScene {
     bool any_searched_ = false;
     bool meets_surface_ = false;  // the method meets S itself, not the parallel prism's surface
     std::vector<Object> objects_;
-    vulkan::Buffer primitives_, normals_, object_data_, staging_;
+    vulkan::Buffer primitives_, normals_, object_data_, procedural_, staging_;
     BoxTree tree_;
 };
 

@@ -22,26 +22,27 @@ int floor_mod(double value, int size) {
     return static_cast<int>(wrapped < 0 ? wrapped + size : wrapped);
 }
 
-// Texel coordinates relative to the footprint's lower left texel; the base itself is wrapped (repeat) or kept
-// within the range that 16 bits hold (clamp: far outside everything is the border texel anyway).
-void set_texels(gpu::Primitive& p, const std::array<dvec2, 3>& uv, const MapSize& map, bool clamp) {
+// Texel coordinates relative to the footprint's lower left texel; the base itself is wrapped (repeat), kept
+// within the range that 16 bits hold (clamp: far outside everything is the border texel anyway), or whole
+// (procedural: nothing repeats).
+void set_texels(gpu::Primitive& p, const std::array<dvec2, 3>& uv, const TexelSpace& texels) {
+    const MapSize& map = texels.size;
     std::array<dvec2, 3> tx;
-    dvec2 low(1e300);
-    for (int i = 0; i < 3; ++i) {
-        tx[static_cast<std::size_t>(i)] =
-            uv[static_cast<std::size_t>(i)] * dvec2(map.width, map.height) - 0.5;
-        low = glm::min(low, tx[static_cast<std::size_t>(i)]);
-    }
+    if (texels.source) tx = texels.source->texels_at(uv);
+    else for (std::size_t i = 0; i < 3; ++i) tx[i] = uv[i] * dvec2(map.width, map.height) - 0.5;
+    const dvec2 low = glm::min(glm::min(tx[0], tx[1]), tx[2]);
     dvec2 base(std::floor(low.x), std::floor(low.y));
-    if (clamp) base = glm::clamp(base, dvec2(0), dvec2(map.width - 1, map.height - 1));
+    if (texels.clamp) base = glm::clamp(base, dvec2(0), dvec2(map.width - 1, map.height - 1));
     p.tx0 = glm::vec2(tx[0] - base);
     p.tx1 = glm::vec2(tx[1] - base);
     p.tx2 = glm::vec2(tx[2] - base);
-    const auto x =
-        static_cast<std::uint32_t>(clamp ? static_cast<int>(base.x) : floor_mod(base.x, map.width));
-    const auto y =
-        static_cast<std::uint32_t>(clamp ? static_cast<int>(base.y) : floor_mod(base.y, map.height));
-    p.base = x | y << 16;
+    const bool wrap = !texels.clamp && !texels.source;
+    const auto whole = [&](double value, int size) {
+        return static_cast<std::uint32_t>(wrap ? floor_mod(value, size) : static_cast<int>(value));
+    };
+    const std::uint32_t x = whole(base.x, map.width), y = whole(base.y, map.height);
+    p.base = (x & 0xffffu) | y << 16;
+    p.base_high = x >> 16 | (y & 0xffff0000u);
 }
 
 glm::vec2 lateral(const dvec3& normal, const dvec3& tangent, const dvec3& bitangent, const dvec3& ng) {
@@ -102,7 +103,7 @@ void split(std::vector<std::uint32_t>& order, const std::vector<glm::vec3>& cent
 }  // namespace
 
 std::optional<gpu::Primitive> make_primitive(const Mesh& mesh, std::uint32_t face, std::uint32_t object,
-                                             const MapSize& map, bool clamp) {
+                                             const TexelSpace& texels) {
     const Mesh::Face& f = mesh.faces[face];
     std::array<dvec3, 3> position, normal;
     std::array<dvec2, 3> uv;
@@ -125,7 +126,7 @@ std::optional<gpu::Primitive> make_primitive(const Mesh& mesh, std::uint32_t fac
     p.shift0 = lateral(normal[0], tangent, bitangent, ng);
     p.shift1 = lateral(normal[1], tangent, bitangent, ng);
     p.shift2 = lateral(normal[2], tangent, bitangent, ng);
-    set_texels(p, uv, map, clamp);
+    set_texels(p, uv, texels);
     p.face = face;
     p.object = object;
     return p;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/procedural/procedural_source.h"
 #include "renderer/scene/mesh.h"
 #include "shaders/shared.h"
 
@@ -27,10 +28,17 @@ struct MapSize {
     int width, height;
 };
 
+// How texture coordinates become texels.
+struct TexelSpace {
+    MapSize size;
+    bool clamp = false;
+    const ProceduralSource* source = nullptr;  // procedural heights: its virtual texels, without wrap
+};
+
 // Everything but heights. Nothing for a triangle without area or with numbers that are not finite: S has no inside
 // there. Texel coordinates are kept relative to an integer base, so that 16384 texels leave all fraction bits.
 std::optional<gpu::Primitive> make_primitive(const Mesh& mesh, std::uint32_t face, std::uint32_t object,
-                                             const MapSize& map, bool clamp);
+                                             const TexelSpace& texels);
 gpu::PrimitiveNormals primitive_normals(const Mesh& mesh, std::uint32_t face);
 
 // Sets w_low, w_high and the folded flag so that the prism holds the surface. Conservative.

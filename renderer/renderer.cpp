@@ -129,11 +129,8 @@ void Renderer::State::make_pick_buffers() {
 }
 
 void Renderer::State::write_addresses() {
-    const auto words = [](VkDeviceAddress a) {
-        return glm::uvec2(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(a >> 32));
-    };
-    frame_data().bvh = words(gpu_scene->bvh_address());
-    frame_data().primitives = words(gpu_scene->primitive_address());
+    frame_data().bvh = vulkan::address_words(gpu_scene->bvh_address());
+    frame_data().primitives = vulkan::address_words(gpu_scene->primitive_address());
 }
 
 void Renderer::State::make_set() {
@@ -175,6 +172,7 @@ void Renderer::State::make_passes() {
     constants[gpu::kSpecGloss] = features.gloss ? 1 : 0;
     constants[gpu::kSpecSky] = features.sky ? 1 : 0;
     constants[gpu::kSpecSearch] = features.searched ? 1 : 0;
+    constants[gpu::kSpecProcedural] = features.procedural ? 1 : 0;
     passes = vulkan::Passes(context, set_layout.get(), method->name, features.path, constants);
 }
 
@@ -231,6 +229,7 @@ void Renderer::State::count_bytes() {
         if (f.name == "base mesh prisms") f.bytes = gpu_scene->primitive_bytes();
         if (f.name == trace_path_words(features.path)) f.bytes = gpu_scene->tree_bytes();
         if (f.name == "displacement maps") f.bytes = gpu_scene->map_bytes();
+        if (f.name == "procedural heights") f.bytes = gpu_scene->procedural_bytes();
         if (f.name == "min-max pyramid") f.bytes = gpu_scene->pyramid_bytes();
         if (f.name == "opacity maps" && f.built) f.bytes = gpu_scene->opacity_bytes();
         if (f.name == "image") f.bytes = film.image_bytes();
@@ -303,6 +302,20 @@ void Renderer::set_displacement(std::size_t object, double amplitude, double mid
     s.scene.objects[object].displacement.midlevel = midlevel;
     s.gpu_scene->set_displacement(object, amplitude, midlevel);
     s.follow_search();
+    s.restart();
+}
+
+void Renderer::set_procedural(std::size_t object, const Procedural& source, const HeightView& exemplar) {
+    State& s = *state_;
+    std::optional<Procedural>& own = s.scene.objects.at(object).displacement.procedural;
+    if (!own) throw std::logic_error("the object's heights are a map");
+    own = source;
+    s.maps[object] = exemplar;
+    s.build_scene();
+    s.write_addresses();
+    s.gpu_scene->write_bindings(s.set);
+    s.follow_search();
+    s.apply_parameters();
     s.restart();
 }
 

@@ -19,7 +19,7 @@ namespace vulkan {
 class Context;
 }
 
-// A displacement map as the renderer reads it; row 0 is v = 0. The caller keeps the texels of the last upload alive
+// A displacement map as the renderer reads it, or the exemplar of procedural heights; row 0 is v = 0. The caller keeps the texels of the last upload alive
 // as long as the renderer: height bounds, and structures that another method needs, are made from them.
 struct HeightView {
     int width = 0, height = 0;
@@ -114,6 +114,8 @@ class Renderer {
     void set_lights(const std::vector<Light>& lights, const Environment& environment);
     void set_material(std::size_t object, const Material& material);
     void set_displacement(std::size_t object, double amplitude, double midlevel);  // new bounds for all triangles
+    // Of an object whose heights are procedural already; makes the device's scene anew. The exemplar need not outlive it.
+    void set_procedural(std::size_t object, const Procedural& source, const HeightView& exemplar);
     void set_method(const std::string& name, const std::map<std::string, double>& parameters);
     void resize(int width, int height);
     void restart();                        // forget all samples

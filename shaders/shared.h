@@ -36,6 +36,7 @@ struct Primitive {
     vec2 shift0, shift1, shift2;  // lateral part of N_i / (N_i.ng): m_i = ng + shift_i
     vec2 tx0, tx1, tx2;  // texel coordinates uv * size - 1/2, relative to the integer `base`
     uint base;           // base texel, x in the low and y in the high 16 bits, already wrapped
+    uint base_high;      // procedural heights have no period: the high 16 bits of x and y, in the same places; else 0
     uint face;           // of the object's base mesh
     uint object;
     uint flags;          // kPrimitive*
@@ -62,6 +63,21 @@ struct ObjectData {
     uint clamp_wrap;  // 1: clamp, 0: repeat
     float ray_offset; // world units: secondary rays start this far along the normal
 };
+
+// A procedural height source (geometry/procedural.glsl), one an object. Lattice coordinates are 32.32 fixed point, two's
+// complement, low word first.
+struct ProceduralData {
+    uvec2 start_x, start_y;  // lattice coordinates of virtual texel (0, 0)
+    uvec2 step_xy;           // the first lattice coordinate's change per texel up; across it stays
+    uvec2 step_yx, step_yy;  // the second one's, across and up
+    vec2 range;              // least and greatest height value, wherever
+    vec2 uv_scale, uv_start; // uv = uv_start + (texel coordinates + 1/2) uv_scale
+    uvec2 inverse;           // device address of the table that leads back, low word first: kInverseSize pairs of heights, 0
+                             // to 65535, the entry's own in the low 16 bits and the next one's in the high ones
+    uint seed;
+    uint used;               // 1: the object's heights are procedural; 0: they are its map's
+};
+RELIEVO_CONST int kInverseSize = 4096;
 
 // One node of the program's own tree of boxes (renderer/wide_bvh.h): up to four children with their boxes. Child i spans
 // origin + 2^exponent * (byte i of low, byte i of high) along each axis, and never less than what it holds.
@@ -170,7 +186,8 @@ RELIEVO_CONST uint kBindOpacity = 12u;  // likewise
 RELIEVO_CONST uint kBindPyramids = 13u;  // min-max pyramids of the maps, where the method bounds heights
 RELIEVO_CONST uint kBindRayCounts = 14u;  // uvec4 a pixel: boxes, steps, fetches, cells of the primary ray
 RELIEVO_CONST uint kBindNotes = 15u;      // of one ray: their number, then the notes
-RELIEVO_CONST uint kBindCount = 16u;
+RELIEVO_CONST uint kBindProcedural = 16u;  // ProceduralData, one an object
+RELIEVO_CONST uint kBindCount = 17u;
 RELIEVO_CONST int kPyramidLevels = 7;    // levels 1..7 of the pyramid are the image's mips 0..6
 
 // Specialisation constants: what features.cpp derived.
@@ -181,15 +198,17 @@ RELIEVO_CONST uint kSpecGloss = 3u;
 RELIEVO_CONST uint kSpecSky = 4u;       // sky light with visibility rays
 RELIEVO_CONST uint kSpecNotes = 5u;     // kNotesNone, kNotesCounts or kNotesLog
 RELIEVO_CONST uint kSpecSearch = 6u;    // triangles flagged kPrimitiveSearched are there
-RELIEVO_CONST uint kSpecCount = 7u;
+RELIEVO_CONST uint kSpecProcedural = 7u;  // procedural height sources are there
+RELIEVO_CONST uint kSpecCount = 8u;
 RELIEVO_CONST uint kNotesNone = 0u, kNotesCounts = 1u, kNotesLog = 2u;
 
 RELIEVO_CONST uint kGroupWidth = 8u;  // pixels a side of a compute workgroup
 
 #ifdef __cplusplus
-static_assert(sizeof(Primitive) == 124);
+static_assert(sizeof(Primitive) == 128);
 static_assert(sizeof(PrimitiveNormals) == 36);
 static_assert(sizeof(ObjectData) == 48);
+static_assert(sizeof(ProceduralData) == 80);
 static_assert(sizeof(BvhNode) == 64);  // a cache line
 static_assert(sizeof(LightData) == 32);
 static_assert(sizeof(FrameData) == 168 + 8 * 32);

@@ -25,13 +25,15 @@ Scene open_scene(const std::filesystem::path& path, const std::string& method,
 
 LoadedMap open_map(const Displacement& displacement, const std::filesystem::path& path,
                    const MethodChoice* renderer) {
+    const std::filesystem::path& file =
+        path.empty() && displacement.procedural ? displacement.procedural->exemplar : path;
     const MapRange range{displacement.range_low, displacement.range_high};
     const MapInfo fresh{displacement.map_size, displacement.map_size, sizeof(std::uint16_t), MapFormat::tiff16};
-    const MapInfo info = path.empty() ? fresh : map_info(path);
+    const MapInfo info = file.empty() ? fresh : map_info(file);
     const bool pyramid = renderer != nullptr && find_method(renderer->name).needs_pyramid;
-    require_memory(path.empty() ? "new map" : path, info, estimate_memory(info, renderer != nullptr, pyramid),
+    require_memory(file.empty() ? "new map" : file, info, estimate_memory(info, renderer != nullptr, pyramid),
                    available_memory());
-    if (!path.empty()) return load_map(path, range);
+    if (!file.empty()) return load_map(file, range);
     const auto flat = static_cast<std::uint16_t>(std::lround(displacement.midlevel * 65535));
     return {HeightMap(displacement.map_size, displacement.map_size, flat), range, MapFormat::tiff16, nullptr};
 }

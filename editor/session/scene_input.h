@@ -16,9 +16,9 @@ namespace relievo {
 Scene open_scene(const std::filesystem::path& path, const std::string& method = {},
                  const std::map<std::string, double>& parameters = {});
 
-// The map of one object: the file `path`, or (empty) a new flat one that displaces nothing. `renderer`: one will hold
-// it, too, by that method. Throws as load_map, and std::invalid_argument before anything is loaded when memory would not
-// do (memory_estimate.h).
+// The map of one object: the file `path`, or (empty) the exemplar of procedural heights, or a new flat one that
+// displaces nothing. `renderer`: one will hold it, too, by that method. Throws as load_map, and std::invalid_argument
+// before anything is loaded when memory would not do (memory_estimate.h).
 LoadedMap open_map(const Displacement& displacement, const std::filesystem::path& path,
                    const MethodChoice* renderer = nullptr);
 

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kSceneVersion = 1;
 constexpr int kMaxMapSize = 16384, kMaxImageSize = 16384, kMaxSamples = 1 << 20;
+constexpr int kMostSeed = 2147483647;
 constexpr std::size_t kMaxItems = 65536;
 constexpr NumberRange kUnit{0, 1};
 constexpr NumberRange kNotNegative{0, 1e9};
@@ -34,12 +35,31 @@ std::filesystem::path file_of(const JsonNode& node, const std::filesystem::path&
     return path;
 }
 
-Displacement read_displacement(const JsonNode& node, const std::filesystem::path& folder) {
-    if (node.has("procedural")) {
-        node["procedural"].fail("this version has no procedural displacement; give a 'map'");
+Procedural read_procedural(const JsonNode& node, const std::filesystem::path& folder) {
+    node.require_keys(scene_keys("objects[].displacement.procedural"));
+    Procedural p;
+    p.exemplar = file_of(node["exemplar"], folder);
+    if (node.has("scale")) p.scale = node["scale"].number({Procedural::kLeastScale, Procedural::kMostScale});
+    if (node.has("offset")) {
+        const JsonNode offset = node["offset"];
+        offset.length(2, 2);
+        for (int i = 0; i < 2; ++i)
+            p.offset[i] = offset[static_cast<std::size_t>(i)].number({-Procedural::kMostOffset, Procedural::kMostOffset});
     }
+    if (node.has("seed")) p.seed = static_cast<std::uint32_t>(node["seed"].integer(0, kMostSeed));
+    if (node.has("triangle_size"))
+        p.triangle_size = node["triangle_size"].number({Procedural::kLeastTriangle, Procedural::kMostTriangle});
+    return p;
+}
+
+Displacement read_displacement(const JsonNode& node, const std::filesystem::path& folder) {
     node.require_keys(scene_keys("objects[].displacement"));
     Displacement d;
+    if (node.has("procedural")) {
+        for (const char* key : {"map", "size", "wrap"})
+            if (node.has(key)) node[key].fail("is for maps; leave out 'procedural' or '" + std::string(key) + "'");
+        d.procedural = read_procedural(node["procedural"], folder);
+    }
     if (node.has("map")) d.map = file_of(node["map"], folder);
     if (node.has("size")) {
         d.map_size = node["size"].integer(1, kMaxMapSize);

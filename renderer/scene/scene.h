@@ -2,8 +2,10 @@
 // assets/scene.schema.json.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
 #include <optional>
@@ -17,8 +19,22 @@ namespace relievo {
 enum class Wrap { repeat, clamp };
 enum class NormalSource { file, smooth };
 
+// An endless height source made of an exemplar by tiling and blending (renderer/procedural), at
+// texture coordinates offset + (uv - 1/2) scale.
+struct Procedural {
+    static constexpr double kLeastScale = 1e-3, kMostScale = 1e3, kMostOffset = 1e3;
+    static constexpr double kLeastTriangle = 1e-3, kMostTriangle = 1e3;
+
+    std::filesystem::path exemplar;  // absolute after loading; a map file, which repeats
+    double scale = 1;                // exemplar periods over the unit of uv
+    glm::dvec2 offset{0};            // exemplar periods
+    std::uint32_t seed = 0;
+    double triangle_size = 0.25;  // edge of the blended triangles, exemplar periods
+};
+
 struct Displacement {
     std::filesystem::path map;  // absolute after loading; empty: a new flat map of map_size at midlevel
+    std::optional<Procedural> procedural;  // instead of a map
     int map_size = 1024;
     double amplitude = 0.1;                    // world units from map value 0 to 1; negative allowed
     double midlevel = 0.5;                     // [0, 1]

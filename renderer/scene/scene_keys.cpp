@@ -14,7 +14,9 @@ constexpr std::string_view kTop[] = {"$schema", "relievo", "objects",     "camer
                                      "image",   "lights",  "environment", "method"};
 constexpr std::string_view kObject[] = {"name",     "mesh",        "normals",  "displacement",
                                         "material", "opacity_map", "transform"};
-constexpr std::string_view kDisplacement[] = {"map", "size", "amplitude", "midlevel", "range", "wrap"};
+constexpr std::string_view kDisplacement[] = {"map",      "size",  "procedural", "amplitude",
+                                              "midlevel", "range", "wrap"};
+constexpr std::string_view kProcedural[] = {"exemplar", "scale", "offset", "seed", "triangle_size"};
 constexpr std::string_view kMaterial[] = {"albedo", "roughness", "specular"};
 constexpr std::string_view kTransform[] = {"translate", "rotate_deg", "scale"};
 constexpr std::string_view kCamera[] = {"eye", "look_at", "up", "fov_deg"};
@@ -26,6 +28,7 @@ constexpr std::string_view kEnvironment[] = {"zenith", "horizon", "ground", "int
 constexpr SceneKeys kAll[] = {{"", kTop},
                               {"objects[]", kObject},
                               {"objects[].displacement", kDisplacement},
+                              {"objects[].displacement.procedural", kProcedural},
                               {"objects[].material", kMaterial},
                               {"objects[].transform", kTransform},
                               {"camera", kCamera},

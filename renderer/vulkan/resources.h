@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <span>
 
 #include "renderer/vulkan/context.h"
@@ -58,6 +59,11 @@ class Image {
     int width_ = 0, height_ = 0, mips_ = 1;
     VkDeviceSize bytes_ = 0;
 };
+
+// A device address as shaders take it, low word first.
+inline glm::uvec2 address_words(VkDeviceAddress a) {
+    return {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(a >> 32)};
+}
 
 // Everything written before is visible to everything after: one barrier, used between passes.
 void memory_barrier(VkCommandBuffer commands);

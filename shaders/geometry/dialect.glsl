@@ -1,21 +1,15 @@
-// The common tongue of GLSL and C++ (GLM): geometry/ and methods/ are compiled as both, so that the arithmetic that
-// ships can be run under sanitizers and against double precision. No swizzles, no GLSL-only built-ins.
+// Small functions that geometry/ and methods/ share.
 #ifndef RELIEVO_DIALECT_GLSL
 #define RELIEVO_DIALECT_GLSL
-#ifdef __cplusplus
-#define OUT(T) T&
-#define INOUT(T) T&
-#define FUNC inline
-#else
-#define OUT(T) out T
-#define INOUT(T) inout T
-#define FUNC
-#endif
+#include "macros.glsl"
 
 FUNC float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
 // Whole numbers from 0 to 2^23 - 1 as integers, by the bits of a float that has no room for a fraction.
 FUNC ivec2 whole(vec2 x) { return floatBitsToInt(x + vec2(8388608.0f)) & 0x7fffff; }
+
+// The same from -2^22 to 2^22 - 1.
+FUNC ivec2 signed_whole(vec2 x) { return floatBitsToInt(x + vec2(12582912.0f)) - 0x4b400000; }
 
 // 2^n for whole n from -126 to 127.
 FUNC float power_of_two(int n) { return intBitsToFloat((n + 127) << 23); }

@@ -6,8 +6,6 @@
 #ifndef RELIEVO_HEIGHT_GLSL
 #define RELIEVO_HEIGHT_GLSL
 
-FUNC vec2 primitive_base(uint base) { return vec2(float(int(base & 0xffffu)), float(int(base >> 16))); }
-
 FUNC float bilinear(vec4 quad, vec2 f) {
     float low = quad.x + f.x * (quad.y - quad.x);
     float high = quad.z + f.x * (quad.w - quad.z);
@@ -37,7 +35,5 @@ FUNC vec2 cell_gradient(uint object, vec2 base, vec2 tx) {
     vec2 cell = floor(tx);
     return bilinear_gradient(height_quad(object, base + cell), tx - cell);
 }
-
-FUNC vec2 texel_at(Primitive p, vec2 b) { return p.tx0 * (1.0f - b.x - b.y) + p.tx1 * b.x + p.tx2 * b.y; }
 
 #endif

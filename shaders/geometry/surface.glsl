@@ -15,7 +15,7 @@ FUNC vec3 base_normal(PrimitiveNormals n, vec2 b) {
 FUNC float displacement(ObjectData ob, float value) { return ob.amplitude * (value - ob.midlevel); }
 
 FUNC float displacement_at(Primitive p, ObjectData ob, vec2 b) {
-    return displacement(ob, map_value(p.object, primitive_base(p.base), texel_at(p, b)));
+    return displacement(ob, map_value(p.object, primitive_base(p), texel_at(p, b)));
 }
 
 FUNC vec3 surface_point(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 b) {
@@ -42,14 +42,14 @@ FUNC vec3 surface_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 b,
 }
 
 FUNC vec3 geometric_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 b) {
-    return surface_normal(p, n, ob, b, cell_gradient(p.object, primitive_base(p.base), texel_at(p, b)));
+    return surface_normal(p, n, ob, b, cell_gradient(p.object, primitive_base(p), texel_at(p, b)));
 }
 
 // Shading normal as paper 002's Algorithm 1 makes it: differentials of P + D N' with N' held, over half a texel to
 // either side, and the correction of its section 5.1, N' in Ng's stead, as a switch.
 FUNC vec3 displaced_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 b, bool correct) {
     vec3 smooth_n = normalize(base_normal(n, b));
-    vec2 g = smooth_gradient(p.object, primitive_base(p.base), texel_at(p, b)) * ob.amplitude;
+    vec2 g = smooth_gradient(p.object, primitive_base(p), texel_at(p, b)) * ob.amplitude;
     vec3 s1 = base_edge1(p) + smooth_n * dot(g, p.tx1 - p.tx0);
     vec3 s2 = base_edge2(p) + smooth_n * dot(g, p.tx2 - p.tx0);
     vec3 displaced = normalize(cross(s1, s2));

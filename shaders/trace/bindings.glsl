@@ -10,6 +10,7 @@ layout(constant_id = 3) const bool kGloss = true;
 layout(constant_id = 4) const bool kSky = true;
 layout(constant_id = 5) const uint kNotes = 0u;  // kNotes* of shared.h
 layout(constant_id = 6) const bool kSearch = true;
+layout(constant_id = 7) const bool kProcedural = true;
 
 layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { FrameData frame; };
 layout(set = 0, binding = kBindPrimitives, scalar) readonly buffer PrimitiveBlock { Primitive primitives[]; };
@@ -18,9 +19,12 @@ layout(set = 0, binding = kBindObjects, scalar) readonly buffer ObjectBlock { Ob
 layout(set = 0, binding = kBindMaps) uniform sampler2D maps[kObjects];
 layout(set = 0, binding = kBindOpacity) uniform sampler2D opacity_maps[kObjects];
 layout(set = 0, binding = kBindPyramids) uniform sampler2D pyramids[kObjects];
+layout(set = 0, binding = kBindProcedural, scalar) readonly buffer ProceduralBlock { ProceduralData procedural_sources[]; };
 layout(push_constant, scalar) uniform PushBlock { PushData push; };
 
 #include "../geometry/dialect.glsl"
+#include "../geometry/hash.glsl"
+#include "../geometry/texels.glsl"
 #include "notes.glsl"
 
 // Of the triangle that is being asked: few methods want them before the hit.
@@ -29,8 +33,7 @@ PrimitiveNormals primitive_normals() { return normals[asked_primitive]; }
 ObjectData object_data(uint object) { return objects[kObjects == 1u ? 0u : object]; }
 
 // One gather at the corner that the four texels share: far from any texel's border, so its rounding cannot matter.
-vec4 height_quad(uint object, vec2 cell) {
-    count_fetch();
+vec4 map_quad(uint object, vec2 cell) {
     vec4 g;  // (0,1) (1,1) (1,0) (0,0)
     if (kObjects == 1u) {
         g = textureGather(maps[0], (cell + 1.0) / vec2(objects[0].map_size));
@@ -40,18 +43,35 @@ vec4 height_quad(uint object, vec2 cell) {
     return vec4(g.w, g.z, g.x, g.y);
 }
 
-// Least and greatest map value over the cells (between texel centres) of two by two nodes of 2^level cells a side,
-// beginning with the node that holds `cell`. Levels 1 to kPyramidLevels; a small map's own last level, one node, holds
-// all of it.
+// The pyramid's node at `level` over the cell, which lies inside the map.
+vec2 pyramid_node(uint object, ivec2 map_size, int level, ivec2 cell) {
+    level = min(level, max(findMSB(max(map_size.x, map_size.y)), 1));
+    ivec2 node = min(cell >> level, max(map_size >> level, ivec2(1)) - 1);
+    if (kObjects == 1u) return texelFetch(pyramids[0], node, level - 1).rg;
+    return texelFetch(pyramids[nonuniformEXT(object)], node, level - 1).rg;
+}
+
+#include "exemplar.glsl"
+
+bool is_procedural(uint object) { return kProcedural && procedural_data(object).used != 0u; }
+
+// Heights of the texels (0,0) (1,0) (0,1) (1,1) of a cell between texel centres.
+vec4 height_quad(uint object, vec2 cell) {
+    count_fetch();
+    if (is_procedural(object)) return procedural_quad(object, signed_whole(cell));
+    return map_quad(object, cell);
+}
+
+// Least and greatest height over the cells (between texel centres) from `cell` on, 2^level + 1 a side; over a map, over the
+// two by two nodes of 2^level cells a side beginning with the node that holds `cell`. Levels 1 to kPyramidLevels; a small
+// map's own last level, one node, holds all of it.
 vec2 map_bounds(uint object, int level, vec2 cell) {
     count_fetch();
+    if (is_procedural(object)) return procedural_bounds(object, signed_whole(cell), ivec2((1 << level) + 1));
     ObjectData ob = object_data(object);
     vec2 size = vec2(ob.map_size);
     if (ob.clamp_wrap == 0u) cell -= size * floor((cell + 0.5) / size);
-    level = min(level, max(findMSB(max(ob.map_size.x, ob.map_size.y)), 1));
-    ivec2 node = min(whole(clamp(cell, vec2(0.0), size - 1.0)) >> level, max(ob.map_size >> level, ivec2(1)) - 1);
-    if (kObjects == 1u) return texelFetch(pyramids[0], node, level - 1).rg;
-    return texelFetch(pyramids[nonuniformEXT(object)], node, level - 1).rg;
+    return pyramid_node(object, ob.map_size, level, whole(clamp(cell, vec2(0.0), size - 1.0)));
 }
 
 #include "../geometry/height.glsl"
@@ -61,7 +81,11 @@ vec2 map_bounds(uint object, int level, vec2 cell) {
 
 // Texture coordinates of a hit, in the map's own [0, 1) period where it repeats.
 vec2 uv_at(Primitive p, vec2 b) {
-    vec2 texel = primitive_base(p.base) + texel_at(p, b) + 0.5;
+    if (is_procedural(p.object)) {
+        ProceduralData data = procedural_data(p.object);
+        return data.uv_start + (primitive_base(p) * data.uv_scale + (texel_at(p, b) + 0.5) * data.uv_scale);
+    }
+    vec2 texel = primitive_base(p) + texel_at(p, b) + 0.5;
     return texel / vec2(object_data(p.object).map_size);
 }
 
@@ -78,16 +102,8 @@ void note_hit(Primitive p, SurfaceHit hit) {
     note(kNoteHit, hit.t, texel_at(p, hit.b), displacement_at(p, object_data(p.object), hit.b), 0.0);
 }
 
-// Counter-based random numbers: hash of what is being sampled, never a running state.
-uint hash3(uvec3 v) {
-    v = v * 1664525u + 1013904223u;  // pcg3d, Jarzynski and Olano 2020
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
-    v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
-    return v.x;
-}
 float unit_float(uint bits) { return float(bits >> 8u) * (1.0 / 16777216.0); }
-float random_at(uint pixel, uint sample_index, uint dimension) { return unit_float(hash3(uvec3(pixel, sample_index, dimension))); }
+float random_at(uint pixel, uint sample_index, uint dimension) { return unit_float(pcg3d(uvec3(pixel, sample_index, dimension)).x); }
 
 uint pixel_index(ivec2 px) { return uint(px.y) * uint(frame.size.x) + uint(px.x); }
 

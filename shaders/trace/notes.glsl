@@ -16,8 +16,7 @@ void note(uint kind, float t, vec2 texel, float height, float extent) {
     } else if (kNotes == kNotesLog) {
         uint i = atomicAdd(note_count, 1u);
         if (i >= kMaxNotes) return;
-        uint base = primitives[asked_primitive].base;
-        notes[i] = Note(kind, asked_primitive, t, height, texel + vec2(base & 0xffffu, base >> 16), extent, 0.0);
+        notes[i] = Note(kind, asked_primitive, t, height, texel + primitive_base(primitives[asked_primitive]), extent, 0.0);
     }
 }
 

@@ -27,7 +27,7 @@ TEST(Primitives, BoxHoldsEveryPointOfTheOffsetSurface) {
     std::uniform_real_distribution<double> u(0, 1);
     for (int round = 0; round < 2000; ++round) {
         const Mesh mesh = random_triangle(rng, 0.5);
-        auto p = make_primitive(mesh, 0, 0, {64, 32}, false);
+        auto p = make_primitive(mesh, 0, 0, {{64, 32}});
         ASSERT_TRUE(p);
         const double a = u(rng) - 0.5, b = u(rng) - 0.5;
         set_heights(*p, {std::min(a, b), std::max(a, b)});
@@ -56,7 +56,7 @@ TEST(Primitives, BoxHoldsEveryPointOfTheCanonicalSurface) {
     std::uniform_real_distribution<double> u(0, 1);
     for (int round = 0; round < 4000; ++round) {
         const Mesh mesh = random_triangle(rng, round % 2 == 0 ? 0.5 : 1.2);
-        auto p = make_primitive(mesh, 0, 0, {64, 32}, false);
+        auto p = make_primitive(mesh, 0, 0, {{64, 32}});
         ASSERT_TRUE(p);
         const Mesh::Face& f = mesh.faces[0];
         glm::dvec3 q[3], n[3];
@@ -86,7 +86,7 @@ TEST(Primitives, TexelCoordinatesKeepTheirFractionsOnLargeMaps) {
     MeshFile m = plane_mesh();
     for (auto& uv : m.uvs) uv = uv / 1000.0 + glm::dvec2(0.875);
     const Mesh mesh = make_mesh(m, glm::dmat4(1), {}, false);
-    const auto p = make_primitive(mesh, 0, 0, {16384, 16384}, false);
+    const auto p = make_primitive(mesh, 0, 0, {{16384, 16384}});
     ASSERT_TRUE(p);
     EXPECT_LT(p->tx0.x, 1);
     EXPECT_LT(p->tx1.x, 18);
@@ -96,7 +96,7 @@ TEST(Primitives, TexelCoordinatesKeepTheirFractionsOnLargeMaps) {
 TEST(Primitives, ZeroAreaFacesAreNoPrimitives) {
     MeshFile m = plane_mesh();
     m.faces = {{{0, 1, 1}, {0, 1, 1}}};
-    EXPECT_FALSE(make_primitive(make_mesh(m, glm::dmat4(1), {}, false), 0, 0, {4, 4}, false));
+    EXPECT_FALSE(make_primitive(make_mesh(m, glm::dmat4(1), {}, false), 0, 0, {{4, 4}}));
 }
 
 TEST(Primitives, SpatialOrderIsAPermutation) {

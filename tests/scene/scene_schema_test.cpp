@@ -124,6 +124,7 @@ TEST(SceneSchema, lists_the_keys_of_the_loader) {
         {"", "/properties"},
         {"objects[]", "/$defs/object/properties"},
         {"objects[].displacement", "/$defs/displacement/properties"},
+        {"objects[].displacement.procedural", "/$defs/procedural/properties"},
         {"objects[].material", "/$defs/material/properties"},
         {"objects[].transform", "/$defs/transform/anyOf/1/properties"},
         {"camera", "/$defs/camera/properties"},

@@ -132,7 +132,7 @@ FUNC float height_on(Chord c, float s) { return c.h.x + s * (c.h.y + s * c.h.z);
 // chord's end.
 FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INOUT(Walk) w, OUT(float) to) {
     Chord c = w.c;
-    vec2 base = primitive_base(p.base);
+    vec2 base = primitive_base(p);
     float texels = max(max(abs(c.d.x), abs(c.d.y)), 1e-20f);
     to = w.s;
     for (; w.stretches < kMaxStretches && w.s < 1.0f; ++w.stretches) {
@@ -163,7 +163,7 @@ FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INO
 FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float t_min, float tolerance, vec3 margin,
                      float to, float sure, INOUT(Walk) w, OUT(bool) unsure, OUT(SurfaceHit) hit) {
     Chord c = w.c;
-    vec2 base = primitive_base(p.base);
+    vec2 base = primitive_base(p);
     float s = w.s, after = 0.0f, enough = kRest * abs(ob.amplitude) + 0.5f * tolerance;
     unsure = false;
     // Borders are counted, not found again from the position: on large maps that would round back into the last cell.

@@ -68,7 +68,7 @@ FUNC vec2 patch_displacement(Primitive p, ObjectData ob, vec2 low, vec2 high) {
     vec2 extent = high - low + vec2(2e-3f), cell = floor(low);
     float most = max(extent.x, extent.y);
     if (most > power_of_two(kPyramidLevels)) return vec2(p.w_low, p.w_high);
-    vec2 base = primitive_base(p.base);
+    vec2 base = primitive_base(p);
     vec2 values;
     if (cell.x == floor(high.x) && cell.y == floor(high.y)) {
         // Within one cell the extremes of a bilinear height are at the corners.
@@ -122,7 +122,7 @@ FUNC bool box_met(PatchBox box, float rounding, float z_min, float z_max) {
 FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner, float side, vec2 cell, float rounding) {
     PatchRoot root;
     vec2 middle = corner + vec2(0.5f * side), b = middle;
-    vec4 q = height_quad(p.object, primitive_base(p.base) + cell);
+    vec4 q = height_quad(p.object, primitive_base(p) + cell);
     float first = 0.0f, slack = 0.5e-3f * side + 1e-6f;
     bool at_border = false;
     root.b = b;

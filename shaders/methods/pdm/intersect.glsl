@@ -21,7 +21,7 @@ FUNC float pdm_gap(Primitive p, ObjectData ob, PrismRay r, float tau, OUT(vec3) 
     float height = (r.w0 + r.wd * tau) * sqrt(1.0f + dot(shift, shift));
     vec2 tx = p.tx0 * b.x + p.tx1 * b.y + p.tx2 * b.z;
     note(kNoteStep, r.t0 + tau, tx, height, 0.0f);
-    return height - displacement(ob, map_value(p.object, primitive_base(p.base), tx));
+    return height - displacement(ob, map_value(p.object, primitive_base(p), tx));
 }
 
 // First hit in [t_min, t_max] that is not a hole of the opacity map. `random` in [0, 1).
