@@ -16,6 +16,10 @@ using glm::dvec3;
 // cosine of a vertex normal to ng.
 constexpr double kMostShellMargin = 0.25;
 constexpr double kLeastShellCosine = 0.15;
+// Beyond these the way back from a point to shell coordinates rounds too much: the shell's volume, of what it
+// has on the base triangle; and the triangle's altitude, of the coordinates' size.
+constexpr double kLeastShellVolume = 0.1;
+constexpr double kLeastAltitude = 1e-5;
 
 int floor_mod(double value, int size) {
     const double wrapped = std::fmod(value, size);
@@ -115,7 +119,7 @@ std::optional<gpu::Primitive> make_primitive(const Mesh& mesh, std::uint32_t fac
     const dvec3 e1 = position[1] - position[0], e2 = position[2] - position[0], cross = glm::cross(e1, e2);
     const double area = glm::length(cross), length = glm::length(e1);
     gpu::Primitive p{};
-    if (!(area > 0) || !std::isfinite(area)) return std::nullopt;
+    if (has_no_area(mesh, f) || !std::isfinite(area)) return std::nullopt;
     const dvec3 ng = cross / area, tangent = e1 / length, bitangent = glm::cross(ng, tangent);
     p.origin = glm::vec3(position[0]);
     p.tangent = glm::vec3(tangent);
@@ -170,6 +174,37 @@ double shell_margin(const gpu::Primitive& p) {
     return reach * (edge + height * apart) / area;
 }
 
+// The least volume element of the shell P(b) + h N(b)/|N(b)| over the range's ends, sampled at corners,
+// middles of edges and the centre, as a part of what it is at h = 0 and N along ng.
+double least_shell_volume(const gpu::Primitive& p, const gpu::PrimitiveNormals& n,
+                          const DisplacementRange& range) {
+    constexpr dvec2 kSamples[] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0, 0.5}, {0.5, 0.5}, {1 / 3.0, 1 / 3.0}};
+    const dvec3 tangent = p.tangent, bitangent = glm::cross(dvec3(p.ng), tangent);
+    const dvec3 e1 = tangent * double{p.q1x}, e2 = tangent * double{p.q2.x} + bitangent * double{p.q2.y};
+    const dvec3 n0 = n.n0, n1 = dvec3(n.n1) - n0, n2 = dvec3(n.n2) - n0;
+    double least = 1;
+    for (const dvec2& b : kSamples) {
+        const dvec3 normal = n0 + n1 * b.x + n2 * b.y;
+        const double length = glm::length(normal);
+        if (!(length > 0)) return 0;
+        const dvec3 unit = normal / length;
+        for (const double h : {range.low, range.high}) {
+            const dvec3 s1 = e1 + (n1 - unit * glm::dot(unit, n1)) * (h / length);
+            const dvec3 s2 = e2 + (n2 - unit * glm::dot(unit, n2)) * (h / length);
+            least = std::min(least, glm::dot(glm::cross(s1, s2), unit) / offset_area(p, 0));
+        }
+    }
+    return least;
+}
+
+// The least altitude over the size of the coordinates.
+double relative_altitude(const gpu::Primitive& p) {
+    const double edge = std::max<double>({p.q1x, glm::length(p.q2), glm::length(p.q2 - glm::vec2(p.q1x, 0))});
+    const double size =
+        std::max<double>({edge, std::abs(p.origin.x), std::abs(p.origin.y), std::abs(p.origin.z)});
+    return offset_area(p, 0) / (edge * size);
+}
+
 Box with_rounding(const Box& box) {
     const glm::vec3 margin = glm::vec3(glm::length(box.high - box.low) * 2e-5f) +
                              glm::max(glm::abs(box.low), glm::abs(box.high)) * 1e-6f;
@@ -217,7 +252,9 @@ void set_shell(gpu::Primitive& p, const gpu::PrimitiveNormals& n, const Displace
         cosine = std::min<double>(cosine, glm::dot(normal, p.ng));
     p.shell_margin = static_cast<float>(std::min(margin, 1.0));
     const bool folded = (p.flags & gpu::kPrimitiveFolded) != 0;
-    if (!folded && margin <= kMostShellMargin && cosine >= kLeastShellCosine) return;
+    if (!folded && margin <= kMostShellMargin && cosine >= kLeastShellCosine &&
+        least_shell_volume(p, n, range) >= kLeastShellVolume && relative_altitude(p) >= kLeastAltitude)
+        return;
     p.flags |= gpu::kPrimitiveSearched;
     const double slack = height_slack(p, range);
     p.w_low = static_cast<float>(range.low - slack);

@@ -125,8 +125,8 @@ bool Judge::agrees(std::uint32_t object, double reference, double method) const 
 }
 
 bool Judge::explained(const ReferenceSurface& surface, int x, int y, double method) const {
-    constexpr double kRadii[] = {2e-4, 7e-4, 2e-3};  // pixels
-    for (int k = 0; k < 24; ++k) {
+    constexpr double kRadii[] = {2e-5, 2e-4, 7e-4, 2e-3};  // pixels
+    for (int k = 0; k < 32; ++k) {
         const double radius = kRadii[k / 8], angle = k * 0.7853981633974483 + 0.3;
         const ReferenceRay ray =
             reference_camera_ray(camera_, origin_, image_.width, image_.height,

@@ -50,18 +50,7 @@ std::vector<std::string> sampled_failures(const ImageComparison& errors, Sampled
 }
 
 std::span<const KnownLimit> known_limits() {
-    static constexpr std::string_view
-        kFolded = "two sheets of a folded shell that nearly meet, where one is lost to rounding",
-        kGrazing = "a ray that grazes the surface within rounding",
-        kSliver = "a triangle so thin that its prism has no inside in single precision";
-    static constexpr KnownLimit kLimits[] = {
-        {"exact", "folded_shell", 5, kFolded},      {"exact", "folded_shell_cliffs", 36, kFolded},
-        {"exact", "ten_edges_on_lump", 3, kFolded}, {"exact", "minus_ten_edges_on_lump", 4, kFolded},
-        {"exact", "cliffs_on_lump", 3, kGrazing},   {"exact", "8192_by_one", 3, kGrazing},
-        {"exact", "several_objects", 3, kGrazing},  {"exact", "rays_at_plane", 2, kGrazing},
-        {"exact", "rays_at_cliffs", 2, kGrazing},   {"exact", "zero_area_faces", 5, kSliver},
-    };
-    return kLimits;
+    return {};  // none at the moment
 }
 
 const KnownLimit* find_known_limit(std::string_view method, std::string_view name) {

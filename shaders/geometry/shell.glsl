@@ -64,4 +64,11 @@ FUNC ShellPoint shell_point(Primitive p, Shell s, PrismRay r, float tau, vec2 gu
     return a;
 }
 
+// How far the shell coordinates b lead beside the ray's point at tau, in the frame's plane.
+FUNC float shell_gap(Shell s, PrismRay r, float tau, vec2 b) {
+    vec2 mu = (s.nu0 + s.nu1 * b.x + s.nu2 * b.y) * (1.0f / (s.k0 + s.k1 * b.x + s.k2 * b.y));
+    vec2 f = abs(s.q1 * b.x + s.q2 * b.y + mu * (r.w0 + r.wd * tau) - r.x0 - r.xd * tau);
+    return max(f.x, f.y);
+}
+
 #endif

@@ -21,7 +21,7 @@ const int kMaxTries = 8;             // for a chord's length
 const int kStartLevel = 2;
 const float kLongestChord = 24.0f;   // texels
 const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this, so that no ray slips between,
-const float kOpenMargin = 2e-7f;     // at an edge without neighbour: beyond it stands nothing
+const float kOpenMargin = 0.0f;     // at an edge without neighbour: beyond it stands nothing
 const float kMostEdgeMargin = 1e-3f; // or by more where a far ray's rounding asks for it
 const float kBend = 0.05f;           // texels that the path may leave its chord,
 const float kHeightError = 1e-4f;    // how far its height may leave the quadratic, of the amplitude
@@ -30,6 +30,7 @@ const float kSureError = 2e-6f;      // of the amplitude: a chord this true deci
 const float kRefinement = 0.2f;      // one that cannot is cut to this part of itself,
 const float kLeastSpan = 1e-4f;      // down to this part of the path
 const float kBorder = 2e-4f;         // texels that a polished root may lie outside its cell
+const float kThere = 1e-4f;          // of the triangle's size: how far a root's shell coordinates may lead beside the ray
 const float kRest = 3e-6f;           // of the amplitude: a gap that Newton's steps have closed;
 const float kLastStep = 1e-3f;       // or the last step was shorter than this, in texels and barycentrics
 
@@ -82,12 +83,14 @@ FUNC bool polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec
         float slope = a.dh - ob.amplitude * (g.x * a.dtx.x + g.y * a.dtx.y);
         float gap = a.h - displacement(ob, bilinear(quad, f));
         float step_back = slope != 0.0f ? clamp(gap / slope, -reach, reach) : 0.0f;
-        tau -= step_back;
-        b = a.b - a.db * step_back;
         float rounding = 2e-6f * max(abs(a.tx.x), abs(a.tx.y));
         bool last = abs(step_back) * max(abs(a.dtx.x), abs(a.dtx.y)) <= kLastStep + rounding &&
                     abs(step_back) * max(abs(a.db.x), abs(a.db.y)) <= kLastStep;
-        if (i > 0 && (abs(gap) <= enough || last)) return true;
+        bool closed = abs(gap) <= enough;
+        if (closed && !last) step_back = 0.0f;  // the ray touches: the slope says nothing
+        tau -= step_back;
+        b = a.b - a.db * step_back;
+        if (i > 0 && (closed || last)) return true;
     }
     return false;
 }
@@ -191,9 +194,11 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
             g = vec3(h - displacement(ob, quad.x + kx * f.x + ky * f.y + kxy * f.x * f.y),
                      c.h.y + 2.0f * s * c.h.z - ob.amplitude * (kx * c.d.x + ky * c.d.y + kxy * (f.x * c.d.y + f.y * c.d.x)),
                      c.h.z - ob.amplitude * kxy * c.d.x * c.d.y);
+            // A ray that enters on the surface, within rounding, may slide along it, and the neighbour does not know either.
+            bool touches = w.side == 0.0f && r.from_side && abs(g.x) <= tolerance;
             if (w.side == 0.0f) w.side = g.x < 0.0f ? -1.0f : 1.0f;
-            root = 0.0f;
-            bool crossed = after == 0.0f && g.x * w.side < 0.0f;  // since the last cell's end
+            root = touches ? min(1e-3f, 0.5f * (end - s)) : 0.0f;  // within the triangle's margin
+            bool crossed = after == 0.0f && (g.x * w.side < 0.0f || touches);  // since the last cell's end
             found = crossed || first_root(g, after, end - s, root);
             if (found) break;
             // The least gap in the cell, at its end or where the quadratic turns.
@@ -218,11 +223,12 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
         vec2 b = c.b + c.db * (s + root);
         bool met = polish(p, ob, shell, r, cell, quad, 0.1f * c.span, enough, b, tau);
         note(kNoteRoot, r.t0 + tau, texel_at(p, b), height_on(c, s + root), 0.0f);
-        // Beyond the cell's borders other heights hold.
+        // Beyond the cell's borders other heights hold; where Newton's steps run wild, so do heights.
         vec2 place = texel_at(p, b) - cell;
-        unsure = met && sure < 1e30f && !(min(place.x, place.y) >= -kBorder && max(place.x, place.y) <= 1.0f + kBorder);
+        bool there = shell_gap(shell, r, tau, b) <= kThere * (p.q1x + p.q2.y) + tolerance;
+        unsure = met && sure < 1e30f && !(there && min(place.x, place.y) >= -kBorder && max(place.x, place.y) <= 1.0f + kBorder);
         if (unsure) break;
-        if (met && in_triangle(b, margin) && r.t0 + tau >= t_min && opaque_at(p, b)) {
+        if (met && there && in_triangle(b, margin) && r.t0 + tau >= t_min && opaque_at(p, b)) {
             hit.t = r.t0 + tau;
             hit.b = b;
             return true;

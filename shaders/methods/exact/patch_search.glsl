@@ -4,17 +4,18 @@
 //
 // A patch is a square of barycentrics. Over it S = P + D N/|N| lies in the hull of P_i + D_low N_i/l and P_i + D_high N_i/l
 // at its corners, l the middle of the lengths that N takes, grown by max|D| (l_high - l_low)/(l_high + l_low). Patches
-// whose box (along the ray and across it) the ray misses are dropped. A patch of at most a texel over which N hardly turns
-// is solved by Newton on S, cell by cell, so that what is solved is smooth; where the Jacobian says that there may be a
-// second root, it is divided on. No stack: the patch's place among those of its depth is a Morton code.
+// whose box (along the ray and across it) the ray misses are dropped. A patch of at most a texel is
+// solved by Newton on S, cell by cell, so that what is solved is smooth, where bounds of the Jacobian say that it holds one
+// root at most (Krawczyk 1969); else it is divided on. No stack: the patch's place among those of its depth is a Morton
+// code.
 const int kMaxPatches = 32768;       // a triangle: beyond, the best of what was found counts
 const int kPatchDepth = 15;
 const float kPatchTexels = 1.0f;     // of a patch that is solved
-const float kPatchTurn = 0.15f;      // and how far its unit normals may turn, radians
 const float kLeastLength = 0.05f;    // of N: below, it is taken to point anywhere
 const int kPatchSteps = 8;           // of Newton
 const float kLeastPatch = 1e-4f;     // size of a patch that is not divided, of the greatest displacement
-const float kSameSheet = 0.4f;       // the Jacobian's determinant keeps this part of itself where one root stands alone
+const float kAlone = 0.7f;           // below 1: how far the Jacobian may vary, over itself, where one root stands alone
+const float kMostBorder = 1e-3f;     // texels that a root may lie outside its cell, and less where rounding allows it
 
 struct PatchFrame {      // the triangle as the ray sees it: x and y across, z along it from its origin
     vec3 p, p1, p2;      // base triangle: p + b1 p1 + b2 p2
@@ -118,49 +119,95 @@ FUNC bool box_met(PatchBox box, float rounding, float z_min, float z_max) {
            box.low.z - rounding <= z_max && box.high.z + rounding >= z_min;
 }
 
-// Newton on S across the ray from the patch's middle, over one cell's bilinear heights.
-FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner, float side, vec2 cell, float rounding) {
+// S(b) in the ray's frame and its derivatives, over one cell's bilinear heights.
+struct PatchPoint {
+    vec3 s, s1, s2;
+    vec3 u;          // unit normal
+    float length_n, d;
+    vec2 g;          // of the map, per texel
+};
+
+FUNC PatchPoint patch_point(PatchFrame f, ObjectData ob, vec4 quad, vec2 cell, vec2 b) {
+    PatchPoint a;
+    vec2 at = patch_texel(f, b) - cell;
+    vec3 n = f.n + f.n1 * b.x + f.n2 * b.y;
+    a.g = bilinear_gradient(quad, at);
+    a.length_n = max(length(n), 1e-20f);
+    float inverse = 1.0f / a.length_n;
+    a.d = displacement(ob, bilinear(quad, at));
+    a.u = n * inverse;
+    a.s = f.p + f.p1 * b.x + f.p2 * b.y + a.u * a.d;
+    a.s1 = f.p1 + (f.n1 - a.u * dot(a.u, f.n1)) * (inverse * a.d) + a.u * (ob.amplitude * dot(a.g, f.tx1));
+    a.s2 = f.p2 + (f.n2 - a.u * dot(a.u, f.n2)) * (inverse * a.d) + a.u * (ob.amplitude * dot(a.g, f.tx2));
+    return a;
+}
+
+// How far the columns of S's Jacobian may be from those at the patch's middle, together: r is half the patch's side.
+FUNC float jacobian_spread(PatchFrame f, ObjectData ob, vec4 quad, PatchPoint m, float r) {
+    float turn = r * max(length(f.n1 + f.n2), length(f.n1 - f.n2)), least = m.length_n - turn;
+    if (!(least > kLeastLength)) return 1e30f;
+    float lean = turn / least;  // of the unit normal, and of 1/|N| as a part of itself
+    float amplitude = abs(ob.amplitude), twist = abs(quad.x - quad.y - quad.z + quad.w);
+    float dx = r * (abs(f.tx1.x) + abs(f.tx2.x)), dy = r * (abs(f.tx1.y) + abs(f.tx2.y));
+    float rise = amplitude * (abs(m.g.x) * dx + abs(m.g.y) * dy + twist * dx * dy);
+    float scaled = abs(m.d) / m.length_n, more = rise / least + scaled * lean;
+    float slope1 = amplitude * twist * (dy * abs(f.tx1.x) + dx * abs(f.tx1.y));
+    float slope2 = amplitude * twist * (dy * abs(f.tx2.x) + dx * abs(f.tx2.y));
+    return (length(f.n1) + length(f.n2)) * (more + 2.0f * (scaled + more) * lean) + slope1 + slope2 +
+           (amplitude * (abs(dot(m.g, f.tx1)) + abs(dot(m.g, f.tx2))) + slope1 + slope2) * lean;
+}
+
+// The roots of S across the ray over the patch and one cell. With J the Jacobian at the patch's middle m, every root b in
+// the patch has |b - m + J^-1 s(m)| <= k |b - m|, k from the spread of J: that tells where none is, and where k < 1 that
+// there is one at most (Krawczyk's operator, 1969). That one is found by Newton. `last`: look for one whatever k is.
+FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner, float side, vec2 cell, float rounding,
+                           float texel_rounding, bool last) {
     PatchRoot root;
-    vec2 middle = corner + vec2(0.5f * side), b = middle;
-    vec4 q = height_quad(p.object, primitive_base(p) + cell);
-    float first = 0.0f, slack = 0.5e-3f * side + 1e-6f;
-    bool at_border = false;
+    float r = 0.5f * side, slack = 1e-3f * r + 1e-6f;
+    vec2 middle = corner + vec2(r), b = middle;
+    vec4 quad = height_quad(p.object, primitive_base(p) + cell);
     root.b = b;
     root.z = 0.0f;
     root.inside = false;
     root.decided = false;
+    PatchPoint a = patch_point(f, ob, quad, cell, b);
+    float inverse = 1.0f / cross2(vec2(a.s1.x, a.s1.y), vec2(a.s2.x, a.s2.y));
+    vec2 change = vec2(a.s.x * a.s2.y - a.s.y * a.s2.x, a.s1.x * a.s.y - a.s1.y * a.s.x) * -inverse;
+    vec2 gain = vec2(abs(a.s2.x) + abs(a.s2.y), abs(a.s1.x) + abs(a.s1.y)) * abs(inverse);  // norms of J^-1's rows
+    vec2 k = gain * jacobian_spread(f, ob, quad, a, r);
+    vec2 out_of_reach = abs(change) - (vec2(r) + k * r + vec2(slack) + gain * rounding);
+    root.decided = max(out_of_reach.x, out_of_reach.y) > 0.0f;
+    if (root.decided) return root;
+    root.decided = max(k.x, k.y) <= kAlone;
+    // What evaluating S may round away.
+    float size = max(abs(f.p.x), abs(f.p.y)) + max(abs(f.p1.x), abs(f.p1.y)) + max(abs(f.p2.x), abs(f.p2.y));
+    float noise = max(0.25f * rounding, 2e-7f * (size + abs(a.d)) + 0.5f * texel_rounding * abs(ob.amplitude) *
+                                                                        (abs(a.g.x) + abs(a.g.y)));
+    if (!root.decided && !last) return root;
     for (int i = 0; i < kPatchSteps; ++i) {
-        vec2 at = patch_texel(f, b) - cell, g = bilinear_gradient(q, at);
-        vec3 n = f.n + f.n1 * b.x + f.n2 * b.y;
-        float inverse = 1.0f / max(length(n), 1e-20f), d = displacement(ob, bilinear(q, at));
-        vec3 u = n * inverse, s = f.p + f.p1 * b.x + f.p2 * b.y + u * d;
-        vec3 s1 = f.p1 + (f.n1 - u * dot(u, f.n1)) * (inverse * d) + u * (ob.amplitude * dot(g, f.tx1));
-        vec3 s2 = f.p2 + (f.n2 - u * dot(u, f.n2)) * (inverse * d) + u * (ob.amplitude * dot(g, f.tx2));
-        float det = cross2(vec2(s1.x, s1.y), vec2(s2.x, s2.y));
-        if (i == 0) first = det;
-        bool alone = det * first > 0.0f && abs(det) > kSameSheet * abs(first) && abs(first) > kSameSheet * abs(det);
-        vec2 change = vec2(s.x * s2.y - s.y * s2.x, s1.x * s.y - s1.y * s.x) * (-1.0f / det);
-        vec2 target = b + change, off = abs(target - middle);
-        if (!(max(off.x, off.y) <= 1e6f)) return root;  // NaN too
+        vec2 target = b + change, off = target - middle;
+        if (!(max(abs(off.x), abs(off.y)) <= 1e6f)) return root;  // NaN too
         // Within rounding of the ray's place, or of the barycentrics'.
-        if (max(abs(s.x), abs(s.y)) <= 0.25f * rounding || max(abs(change.x), abs(change.y)) <= 1e-7f) {
-            root.b = target;
-            root.z = s.z + s1.z * change.x + s2.z * change.y;
-            vec2 place = patch_texel(f, target) - cell;
-            root.inside = max(off.x, off.y) <= 0.5f * side + slack && min(place.x, place.y) >= -1e-3f &&
-                          max(place.x, place.y) <= 1.001f;
-            root.decided = alone;
+        if (max(abs(a.s.x), abs(a.s.y)) <= noise || max(abs(change.x), abs(change.y)) <= 1e-7f) {
+            // A step further, where the Jacobian is sound enough.
+            if (!(max(abs(change.x), abs(change.y)) <= slack)) {
+                change = vec2(0.0f);
+                off = b - middle;
+            }
+            root.b = b + change;
+            root.z = a.s.z + a.s1.z * change.x + a.s2.z * change.y;
+            gain = vec2(abs(a.s2.x) + abs(a.s2.y), abs(a.s1.x) + abs(a.s1.y)) * (abs(inverse) * rounding);
+            slack += min(max(gain.x, gain.y), r);
+            vec2 place = patch_texel(f, root.b) - cell,
+                 border = min(vec2(texel_rounding) + abs(f.tx1) * gain.x + abs(f.tx2) * gain.y, vec2(kMostBorder));
+            root.inside = max(abs(off.x), abs(off.y)) <= r + slack && place.x >= -border.x &&
+                          place.y >= -border.y && place.x <= 1.0f + border.x && place.y <= 1.0f + border.y;
             return root;
         }
-        // From the border too the root lies beyond.
-        float reach = 0.5f * side + 4.0f * slack;
-        bool beyond = max(off.x, off.y) > reach;
-        if (beyond && at_border && alone) {
-            root.decided = true;
-            return root;
-        }
-        at_border = beyond;
-        b = clamp(target, middle - vec2(reach), middle + vec2(reach));
+        b = middle + clamp(off, vec2(-r - 2.0f * slack), vec2(r + 2.0f * slack));
+        a = patch_point(f, ob, quad, cell, b);
+        inverse = 1.0f / cross2(vec2(a.s1.x, a.s1.y), vec2(a.s2.x, a.s2.y));
+        change = vec2(a.s.x * a.s2.y - a.s.y * a.s2.x, a.s1.x * a.s.y - a.s1.y * a.s.x) * -inverse;
     }
     return root;
 }
@@ -186,8 +233,9 @@ FUNC void take_root(Primitive p, PatchFrame f, vec2 b, float z, float t_min, vec
 FUNC bool search_patches(Primitive p, PrimitiveNormals n, ObjectData ob, vec3 o, vec3 d, float t_min, float t_max,
                          float rounding, vec3 margin, OUT(SurfaceHit) hit) {
     PatchFrame f = make_patch_frame(p, n, o, d);
-    float turn = max(length(f.n1 + f.n2), length(f.n1 - f.n2));
     float texels = max(abs(f.tx1.x) + abs(f.tx2.x), abs(f.tx1.y) + abs(f.tx2.y));
+    vec2 far = max(max(abs(f.tx), abs(f.tx + f.tx1)), abs(f.tx + f.tx2));
+    float texel_rounding = 4e-7f * max(far.x, far.y);
     float least = kLeastPatch * max(abs(p.w_low), abs(p.w_high)) + 2.0f * rounding;
     bool found = false;
     uint code = 0u;
@@ -208,13 +256,13 @@ FUNC bool search_patches(Primitive p, PrimitiveNormals n, ObjectData ob, vec3 o,
                 vec3 size = box.high - box.low;
                 bool last = depth == kPatchDepth || max(max(size.x, size.y), size.z) <= least;
                 down = !last;
-                if (last || (side * texels <= kPatchTexels && side * turn <= kPatchTurn)) {
+                if (last || side * texels <= kPatchTexels) {
                     vec2 first = floor(low), count = min(floor(high) - first, vec2(1.0f));
                     bool decided = true;
                     for (int k = 0; k < 4; ++k) {
                         vec2 step = vec2(float(k & 1), float(k >> 1));
                         if (step.x > count.x || step.y > count.y) continue;
-                        PatchRoot root = solve_patch(p, ob, f, corner, side, first + step, rounding);
+                        PatchRoot root = solve_patch(p, ob, f, corner, side, first + step, rounding, texel_rounding, last);
                         note(kNoteCell, root.z, patch_texel(f, root.b), 0.0f, root.z);
                         decided = decided && root.decided;
                         if (root.inside) take_root(p, f, root.b, root.z, t_min, margin, found, hit);
