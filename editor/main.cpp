@@ -12,7 +12,8 @@ int main(int argc, char** argv) {
     relievo::EditorEntry editor;
 #ifdef RELIEVO_HAS_WINDOW
     editor = [](const relievo::EditRequest& request) {
-        return relievo::run_editor(relievo::EditorOptions{request.scene, request.session});
+        return relievo::run_editor(
+            relievo::EditorOptions{request.scene, request.frame_log, request.most_fps, request.session});
     };
 #endif
     return relievo::run_cli(argc, argv, editor);

@@ -10,7 +10,9 @@ namespace relievo {
 
 // What `relievo edit` asks of the window.
 struct EditRequest {
-    std::filesystem::path scene;  // empty: none was given
+    std::filesystem::path scene;      // empty: none was given
+    std::filesystem::path frame_log;  // empty: none
+    double most_fps = 0;              // frames a second at most; 0: no limit
     SessionOptions session;
 };
 using EditorEntry = std::function<int(const EditRequest&)>;

@@ -10,7 +10,8 @@ namespace relievo {
 namespace {
 
 struct EditOptions {
-    std::string scene, journal;
+    std::string scene, journal, frame_log;
+    double most_fps = 0;
     CommonOptions common;
     MethodOptions method;
     PictureOptions window;
@@ -18,8 +19,8 @@ struct EditOptions {
 
 int run_edit(const EditOptions& options, const EditorEntry& editor) {
     const bool bare_mesh = kind_of_file(options.scene) == FileKind::mesh;
-    EditRequest request{bare_mesh ? scene_of_mesh(options.scene).string() : options.scene,
-                        session_options(options.common, options.method, options.window)};
+    EditRequest request{bare_mesh ? scene_of_mesh(options.scene).string() : options.scene, options.frame_log,
+                        options.most_fps, session_options(options.common, options.method, options.window)};
     request.session.for_window = true;
     request.session.recovery = true;
     request.session.journal = options.journal;
@@ -38,6 +39,11 @@ void add_edit(CLI::App& app, Command& command, const EditorEntry& editor) {
     verb.add_option("SCENE", options->scene, "Scene file (JSON), or a mesh for a new map");
     verb.add_option("--journal", options->journal, "Record the session in this new file")->type_name("FILE");
     verb.add_option("--size", options->window.size, "Size of the window, like 1440x860")->type_name("WxH");
+    verb.add_option("--most-fps", options->most_fps, "Show at most so many frames a second")
+        ->type_name("N")
+        ->check(CLI::Range(0.5, 1000.0));
+    verb.add_option("--frame-log", options->frame_log, "Write when frames and dabs were shown, as JSON Lines")
+        ->type_name("FILE");
     add_common(verb, options->common);
     add_method(verb, options->method);
     verb.callback([options, &command, &editor] {

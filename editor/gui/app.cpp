@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 #include <utility>
 
 #include "editor/gui/keys.h"
@@ -18,8 +19,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kInputMs = 40;  // of strokes, before the picture gets its turn
-constexpr double kTraceMs = 40;  // a frame
+// Of one turn of the loop, which the interface brings to less than 50 ms on two cores without a GPU: strokes,
+// with what remains for the picture; a hand that is ahead of the dabs gets more than one that is not.
+constexpr double kTurnMs = 34, kInputMs = 14, kLateInputMs = 26, kLateUs = 50e3, kLeastTraceMs = 8;
 constexpr double kRestSeconds = 0.5;
 constexpr double kUnhurriedMs = 100;  // between frames that show nothing new but numbers
 constexpr int kClosingFrames = 2;
@@ -29,11 +31,21 @@ double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+template <typename Work>
+void timed(double& ms, Work work) {
+    const auto start = Clock::now();
+    work();
+    ms = ms_since(start);
+}
+
 }  // namespace
 
-App::App(Window& window, Screen& screen, Session& session, const std::string& message)
+App::App(Window& window, Screen& screen, Session& session, FrameLog& log, double most_fps,
+         const std::string& message)
     : window_(&window),
       screen_(&screen),
+      log_(&log),
+      least_frame_ms_(most_fps > 0 ? 1000 / most_fps : 0),
       reference_(session, [] { glfwPostEmptyEvent(); }),
       live_(session, reference_, screen.format()),
       desk_(session, live_, reference_, toasts_),
@@ -51,14 +63,15 @@ Departure App::run() {
     draw();  // the first picture may have to wait for a compiler
     while (!desk_.departure) {
         wait_for_input();
-        handle_input();
+        timed(times_.input_ms, [&] { handle_input(); });
         if (window_->close_wanted()) {
             window_->refuse_close();
             pointer_.cancel();
             desk_.leave({});
         }
-        live_.work(kTraceMs);
-        follow_pointer();
+        timed(times_.trace_ms, [&] { live_.work(std::max(kLeastTraceMs, kTurnMs - times_.input_ms)); });
+        note_traced();
+        timed(times_.cursor_ms, [&] { follow_pointer(); });
         // While the picture only refines, the device's time is the tracer's.
         if (frames_due_ > 0 || live_.take_changed() || ms_since(last_drawn_) > kUnhurriedMs) draw();
         update_title();
@@ -73,6 +86,8 @@ Departure App::run() {
 }
 
 void App::draw() {
+    if (const double early = least_frame_ms_ - ms_since(last_drawn_); early > 0)
+        std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(early));
     last_drawn_ = Clock::now();
     if (frames_due_ > 0) --frames_due_;
     if (!screen_->begin()) return;
@@ -80,7 +95,16 @@ void App::draw() {
     draw_interface();
     closing_frames_ = dialog_open && picture_free() ? kClosingFrames : std::max(0, closing_frames_ - 1);
     screen_->end(live_.strips(), layout_.picture.x, layout_.picture.y);
+    times_.draw_ms = ms_since(last_drawn_);
+    log_->shown(pointer_.in_stroke(), times_);
     if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
+}
+
+void App::note_traced() {
+    const Box& at = layout_.picture;
+    for (const PixelRect& r : live_.take_traced())
+        log_->traced({r.x0 + at.x, r.y0 + at.y, r.x1 + at.x, r.y1 + at.y});
+    if (!pointer_.in_stroke()) log_->cancelled();
 }
 
 void App::wait_for_input() {
@@ -109,14 +133,18 @@ bool App::picture_free_at(double x, double y) const {
 void App::handle_input() {
     const auto start = Clock::now();
     auto& events = window_->events();
-    while (!events.empty() && ms_since(start) < kInputMs) {
+    const bool late =
+        !events.empty() && window_->now_us() - static_cast<double>(events.front().time_us) > kLateUs;
+    while (!events.empty() && ms_since(start) < (late ? kLateInputMs : kInputMs)) {
         const InputEvent event = events.front();
         events.pop_front();
         if (event.kind == InputEvent::Kind::key) {
             handle_key(event);
             continue;
         }
+        const std::uint64_t dabs = pointer_.dabs();
         pointer_.on_event(event, layout_.picture, picture_free_at(event.x, event.y));
+        if (pointer_.dabs() != dabs) log_->sculpted(event, window_->start_us());
         x_ = event.x;
         y_ = event.y;
         pointer_stale_ = true;

@@ -7,6 +7,7 @@
 
 #include "editor/gui/desk.h"
 #include "editor/gui/dialogs.h"
+#include "editor/gui/frame_log.h"
 #include "editor/gui/layout.h"
 #include "editor/gui/pointer_control.h"
 #include "editor/gui/screen.h"
@@ -15,8 +16,9 @@ namespace relievo::gui {
 
 class App {
   public:
-    // `message`: shown at the start, as an error; may be empty.
-    App(Window& window, Screen& screen, Session& session, const std::string& message);
+    // `most_fps`: frames a second, 0: no limit. `message`: shown at the start, as an error; may be empty.
+    App(Window& window, Screen& screen, Session& session, FrameLog& log, double most_fps,
+        const std::string& message);
 
     void offer(std::vector<AbandonedJournal> abandoned);
     // Until the user leaves the scene.
@@ -25,6 +27,7 @@ class App {
   private:
     void wait_for_input();
     void draw();
+    void note_traced();
     void handle_input();
     void handle_key(const InputEvent& event);
     bool picture_free() const;
@@ -37,6 +40,9 @@ class App {
 
     Window* window_;
     Screen* screen_;
+    FrameLog* log_;
+    double least_frame_ms_;  // from one frame to the next
+    TurnTimes times_;
     Toasts toasts_;
     LiveReference reference_;
     LivePicture live_;

@@ -49,7 +49,8 @@ std::unique_ptr<Session> open_session(const Departure& to, SessionOptions option
 }
 
 // Opens scene after scene. A scene that cannot be opened from within the window leaves the last one open.
-void run_scenes(gui::Window& window, Departure to, SessionOptions options) {
+void run_scenes(gui::Window& window, gui::FrameLog& log, double most_fps, Departure to,
+                SessionOptions options) {
     std::string message;
     bool first = true;
     std::filesystem::path last;
@@ -65,7 +66,7 @@ void run_scenes(gui::Window& window, Departure to, SessionOptions options) {
         }
         last = session->scene().path;
         gui::Screen screen(session->context(), window);
-        gui::App app(window, screen, *session, message);
+        gui::App app(window, screen, *session, log, most_fps, message);
         if (std::exchange(first, false)) app.offer(find_abandoned_journals());
         to = app.run();
         options.journal.clear();  // the named journal records the first scene alone
@@ -81,10 +82,11 @@ int run_editor(const EditorOptions& options) {
         const gui::PixelSize size{session.width > 0 ? session.width : kWindow.width,
                                   session.height > 0 ? session.height : kWindow.height};
         session.width = session.height = 0;
+        gui::FrameLog log(options.frame_log);
         gui::Window window(size);
         std::optional<std::filesystem::path> scene = options.scene;
         if (scene->empty()) scene = ask_for_scene(window, session);
-        if (scene) run_scenes(window, {Departure::Kind::open, *scene, {}}, session);
+        if (scene) run_scenes(window, log, options.most_fps, {Departure::Kind::open, *scene, {}}, session);
     }
     if (const int messages = vulkan::Context::validation_messages(); messages > 0)
         throw std::runtime_error("the Vulkan validation layers had " + std::to_string(messages) +

@@ -8,8 +8,10 @@
 namespace relievo {
 
 struct EditorOptions {
-    std::filesystem::path scene;  // empty: the window asks for one
-    SessionOptions session;       // its width and height, where not 0, are the window's (pixels)
+    std::filesystem::path scene;      // empty: the window asks for one
+    std::filesystem::path frame_log;  // when frames and dabs were shown (gui/frame_log.h); empty: not written
+    double most_fps = 0;              // frames a second at most; 0: as many as there are to show
+    SessionOptions session;           // its width and height, where not 0, are the window's (pixels)
 };
 
 // Runs the window until the user closes it; returns the exit status. Throws std::invalid_argument on a bad

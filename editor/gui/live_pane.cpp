@@ -13,8 +13,7 @@
 namespace relievo::gui {
 namespace {
 
-constexpr int kTile = 64;              // pixels a side
-constexpr double kSliceMs = 25;        // aim for one call of the renderer
+constexpr int kTile = StaleTiles::kTile;
 constexpr double kStillAfterMs = 160;  // without a change, the motion is over
 constexpr int kCoarsest = 8;
 // The first samples are noisier than the preview that they replace: they are shown together.
@@ -69,7 +68,7 @@ void LivePane::resize(PixelSize size) {
     if (size == picture_.size()) return;
     picture_.resize(size);
     set_renderer_size(full_size());
-    if (tiles_x_ == 0) mark_all_stale();  // the renderer had that size from the start
+    if (stale_.empty()) mark_all_stale();  // the renderer had that size from the start
     if (!in_stroke_) in_motion();
 }
 
@@ -112,7 +111,7 @@ void LivePane::begin_stroke() {
     set_renderer_size(full_size());
     if (phase_ == Phase::moving) mark_all_stale();
     in_stroke_ = true;
-    live_due_ = false;
+    traced_.clear();
     phase_ = Phase::stale;
 }
 
@@ -126,15 +125,24 @@ void LivePane::after_dab() {
     const double depth = glm::length(glm::dvec3(dab->centre) + scene.origin - scene.camera.eye);
     const double px_per_unit =
         0.5 * renderer_->height() / (std::tan(glm::radians(scene.camera.fov_deg) / 2) * depth);
-    mark_stale(*centre, static_cast<double>(dab->radius) * px_per_unit);
-    live_due_ = true;
+    const double reach = static_cast<double>(dab->radius) * px_per_unit;
+    const auto around = [](double at, double by) {
+        return static_cast<int>(std::floor(std::clamp(at + by, -1e6, 1e6)));
+    };
+    stale_.mark({around(centre->x, -reach), around(centre->y, -reach), around(centre->x, reach) + 1,
+                 around(centre->y, reach) + 1},
+                StaleTiles::urgent);
+    stale_.mark(window_around(*centre, kLiveWindow, renderer_->width(), renderer_->height()),
+                StaleTiles::late);
+    pass_pixels_ = kNotWhole;
+    focus_ = *centre;
+    live_ms_ = 0;
 }
 
 void LivePane::end_stroke(bool changed) {
     in_stroke_ = false;
-    live_due_ = false;
     if (changed) start_sampling();
-    phase_ = stale_count_ > 0 ? Phase::stale : Phase::sampling;
+    phase_ = stale_.count() > 0 ? Phase::stale : Phase::sampling;
 }
 
 void LivePane::start_sampling() {
@@ -144,12 +152,12 @@ void LivePane::start_sampling() {
 }
 
 bool LivePane::idle() const {
-    if (in_stroke_) return !live_due_ && stale_count_ == 0;
+    if (in_stroke_) return stale_.count() == 0;
     return phase_ == Phase::sampling && (shows_layers() || samples() >= choice_->sample_limit);
 }
 
 bool LivePane::covered() const {
-    return phase_ != Phase::moving && stale_count_ == 0 && renderer_size() == full_size();
+    return phase_ != Phase::moving && stale_.count() == 0 && renderer_size() == full_size();
 }
 
 bool LivePane::take_changed() {
@@ -161,7 +169,7 @@ int LivePane::samples() const {
 }
 
 double LivePane::progress() const {
-    const double tiles = std::max(1, tiles_x_ * tiles_y_), fresh = 1 - stale_count_ / tiles;
+    const double fresh = stale_.fresh_share();
     if (phase_ == Phase::moving) return 0;
     if (shows_layers()) return fresh;
     if (phase_ == Phase::stale) return 0.3 * fresh;
@@ -175,20 +183,16 @@ double LivePane::pass_ms() const {
     return sorted[sorted.size() / 2];
 }
 
-bool LivePane::step(double moving_ms) {
-    if (live_due_) {
-        trace_live();
-        return true;
-    }
+bool LivePane::step(double slice_ms, double moving_ms) {
     if (phase_ == Phase::moving && ms_since(last_motion_) < kStillAfterMs) {
         trace_moving(moving_ms);
         return true;
     }
     if (phase_ == Phase::moving) restart();
     if (phase_ == Phase::stale) {
-        trace_stale();
+        trace_stale(slice_ms);
     } else {
-        trace_sample();
+        trace_sample(slice_ms);
     }
     return false;
 }
@@ -219,37 +223,28 @@ void LivePane::trace_moving(double moving_ms) {
     trace_ms_ = trace(on_screen());
 }
 
-void LivePane::trace_live() {
-    live_due_ = false;
-    const auto dab = session_->last_dab();
-    const Scene& scene = session_->scene();
-    const auto centre =
-        dab ? project(scene.camera, scene.origin, renderer_->width(), renderer_->height(), dab->centre)
-            : std::nullopt;
-    if (!centre) return;
-    const PixelRect window =
-        common(window_around(*centre, kLiveWindow, renderer_->width(), renderer_->height()), on_screen());
-    if (empty(window)) return;
-    trace_ms_ = trace(window);
-    clear_stale(window);
-}
-
-void LivePane::trace_stale() {
-    if (stale_count_ > 0) {
-        const PixelRect slice = next_stale();
-        pass_ms_ += trace(slice);
+void LivePane::trace_stale(double slice_ms) {
+    if (stale_.count() > 0) {
+        const PixelRect slice = stale_.next(focus_, slice_ms / std::max(1e-9, preview_ms_));
+        const double ms = trace(slice);
+        stale_.clear(slice);
+        pass_ms_ += ms;
         pass_pixels_ += pixels(slice);
-        clear_stale(slice);
+        traced_.push_back(slice);
+        if (in_stroke_) {
+            live_ms_ += ms;
+            if (stale_.urgent_count() == 0) trace_ms_ = live_ms_;
+        }
     }
-    if (stale_count_ > 0 || in_stroke_) return;
+    if (stale_.count() > 0 || in_stroke_) return;
     if (shows_layers()) finish_pass();
     start_sampling();
     if (!shows_layers()) renderer_->restart();
     pass_ms_ = pass_pixels_ = 0;
 }
 
-void LivePane::trace_sample() {
-    const PixelRect slice = slice_from(next_row_, sample_ms_);
+void LivePane::trace_sample(double slice_ms) {
+    const PixelRect slice = slice_from(next_row_, slice_ms);
     const double ms = renderer_->render(slice, Quality::full);
     learn(sample_ms_, ms, pixels(slice));
     if (next_row_ == 0) pass_ms_ = pass_pixels_ = 0;
@@ -288,10 +283,9 @@ void LivePane::repaint(const PixelRect& window) {
     const PixelRect wanted = common(common(window, on_screen()), whole());
     if (empty(wanted)) return;
     for (int row = wanted.y0 / kTile; row * kTile < wanted.y1; ++row) {
-        const auto tiles = stale_.begin() + static_cast<std::ptrdiff_t>(row) * tiles_x_;
         for (int x0 = wanted.x0 / kTile; x0 * kTile < wanted.x1;) {
             int x1 = x0;
-            while (x1 * kTile < wanted.x1 && !tiles[x1]) ++x1;
+            while (x1 * kTile < wanted.x1 && !stale_.stale_at(x1, row)) ++x1;
             const PixelRect run = common(wanted, {x0 * kTile, row * kTile, x1 * kTile, (row + 1) * kTile});
             layers_.paint(run, choice_->palette);
             if (!empty(run)) show(run);
@@ -300,72 +294,18 @@ void LivePane::repaint(const PixelRect& window) {
     }
 }
 
-// Whole rows of pixels from `row` on, about kSliceMs worth of them.
-PixelRect LivePane::slice_from(int row, double ms_per_pixel) const {
+// Whole rows of pixels of a sample from `row` on.
+PixelRect LivePane::slice_from(int row, double slice_ms) const {
     const PixelSize size = renderer_size();
-    const double rows = kSliceMs / std::max(1e-9, ms_per_pixel * size.width);
-    const int taken = static_cast<int>(std::clamp(rows, 8.0, 1e6));
+    const double rows = slice_ms / std::max(1e-9, sample_ms_ * size.width);
+    const int taken = static_cast<int>(std::clamp(rows, 2.0, 1e6));
     return {0, row, size.width, std::min(size.height, row + taken)};
 }
 
-// Of the first row of tiles that has stale ones, from the first to the last of them, as far as a slice's time
-// goes; with the rows below while they are cheap enough.
-PixelRect LivePane::next_stale() const {
-    const double affordable = kSliceMs / std::max(1e-9, preview_ms_ * kTile * kTile);  // tiles
-    const auto first = std::find(stale_.begin(), stale_.end(), 1);
-    const int row = static_cast<int>(first - stale_.begin()) / tiles_x_;
-    const auto row_begin = stale_.begin() + static_cast<std::ptrdiff_t>(row) * tiles_x_;
-    const int x0 = static_cast<int>(first - row_begin);
-    int x1 = x0;
-    for (int x = x0; x < tiles_x_; ++x)
-        if (row_begin[x]) x1 = x + 1;
-    x1 = std::min(x1, x0 + static_cast<int>(std::clamp(affordable, 1.0, 1e4)));
-    int rows = 1;
-    if (stale_count_ == tiles_x_ * (tiles_y_ - row) && x1 == tiles_x_)
-        rows = static_cast<int>(std::clamp(affordable / tiles_x_, 1.0, 1e4));
-    return {x0 * kTile, row * kTile, std::min(renderer_->width(), x1 * kTile),
-            std::min(renderer_->height(), (row + rows) * kTile)};
-}
-
 void LivePane::mark_all_stale() {
-    tiles_x_ = (renderer_->width() + kTile - 1) / kTile;
-    tiles_y_ = (renderer_->height() + kTile - 1) / kTile;
-    stale_.assign(static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>(tiles_y_), 1);
-    stale_count_ = tiles_x_ * tiles_y_;
+    stale_.reset(renderer_->width(), renderer_->height());
+    focus_ = {renderer_->width() * 0.5, renderer_->height() * 0.5};
     pass_ms_ = pass_pixels_ = 0;
-}
-
-void LivePane::mark_stale(const glm::dvec2& centre_px, double radius_px) {
-    const auto tile_of = [](double px, int count) {
-        return static_cast<int>(std::clamp(std::floor(px / kTile), 0.0, static_cast<double>(count - 1)));
-    };
-    const int x0 = tile_of(centre_px.x - radius_px, tiles_x_),
-              x1 = tile_of(centre_px.x + radius_px, tiles_x_);
-    const int y0 = tile_of(centre_px.y - radius_px, tiles_y_),
-              y1 = tile_of(centre_px.y + radius_px, tiles_y_);
-    for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
-            std::uint8_t& tile = stale_[static_cast<std::size_t>(y * tiles_x_ + x)];
-            stale_count_ += tile ? 0 : 1;
-            tile = 1;
-        }
-    }
-    pass_pixels_ = kNotWhole;
-}
-
-// Tiles that the rectangle covers whole.
-void LivePane::clear_stale(const PixelRect& traced) {
-    for (int y = 0; y < tiles_y_; ++y) {
-        for (int x = 0; x < tiles_x_; ++x) {
-            const bool covered =
-                x * kTile >= traced.x0 && std::min(renderer_->width(), (x + 1) * kTile) <= traced.x1 &&
-                y * kTile >= traced.y0 && std::min(renderer_->height(), (y + 1) * kTile) <= traced.y1;
-            std::uint8_t& tile = stale_[static_cast<std::size_t>(y * tiles_x_ + x)];
-            if (!covered || !tile) continue;
-            tile = 0;
-            --stale_count_;
-        }
-    }
 }
 
 }  // namespace relievo::gui

@@ -1,6 +1,8 @@
 // One renderer's picture and what it traces next, in slices short enough for the interface to stay
 // responsive:
-// - while a stroke runs, the window of 256 x 256 pixels around the brush, then whatever else it left stale;
+// - while a stroke runs, what the dabs touched, the nearest to the brush first, then the rest of the window
+// of
+//   256 x 256 pixels around it, then whatever else is stale;
 // - while the camera or a slider moves, the whole picture at a size that keeps up;
 // - else the stale parts (in preview quality where light is shown), and then, for light, one sample a pixel
 // after
@@ -9,10 +11,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "editor/gui/layer_image.h"
 #include "editor/gui/picture.h"
+#include "editor/gui/stale_tiles.h"
 #include "editor/session/session.h"
 
 namespace relievo::gui {
@@ -46,11 +50,14 @@ class LivePane {
     // The palette, or what it refers to, has changed; a window of the renderer's pixels.
     void repaint(const PixelRect& window);
 
-    // Traces the most wanted piece; true: the eye waits for it. `moving_ms`: for one frame in motion.
-    bool step(double moving_ms);
+    // Traces the most wanted piece, about `slice_ms` worth of it; in motion a whole frame of about
+    // `moving_ms`, and then returns true.
+    bool step(double slice_ms, double moving_ms);
     bool idle() const;     // nothing is left to trace
     bool covered() const;  // the whole picture at full size is traced as it is now, if only once
     bool take_changed();   // something new is to be seen since the last call
+    // What of a stroke's surface was traced since the last call, pixels of the renderer.
+    std::vector<PixelRect> take_traced() { return std::exchange(traced_, {}); }
 
     int samples() const;
     double progress() const;                       // of the preview and the first sample together, [0, 1]
@@ -67,19 +74,15 @@ class LivePane {
     PixelRect whole() const { return {0, 0, renderer_->width(), renderer_->height()}; }
     void set_renderer_size(PixelSize size);
     void mark_all_stale();
-    void mark_stale(const glm::dvec2& centre_px, double radius_px);
-    void clear_stale(const PixelRect& traced);
     void trace_moving(double moving_ms);
-    void trace_live();
-    void trace_stale();
-    void trace_sample();
+    void trace_stale(double slice_ms);
+    void trace_sample(double slice_ms);
     double trace(const PixelRect& window);
     void start_sampling();
     void show(const PixelRect& window);
     void finish_pass();
     PixelRect on_screen() const;
-    PixelRect slice_from(int row, double ms_per_pixel) const;
-    PixelRect next_stale() const;
+    PixelRect slice_from(int row, double slice_ms) const;
 
     Session* session_;
     Renderer* renderer_;
@@ -93,9 +96,11 @@ class LivePane {
     double trace_ms_ = 0, pass_ms_ = 0, pass_pixels_ = 0;
     std::vector<double> passes_ms_;  // the last ones
     int next_row_ = 0;               // of the sample under way
-    bool in_stroke_ = false, live_due_ = false, changed_ = false;
-    std::vector<std::uint8_t> stale_;  // tiles of kTile x kTile pixels, row by row
-    int tiles_x_ = 0, tiles_y_ = 0, stale_count_ = 0;
+    bool in_stroke_ = false, changed_ = false;
+    StaleTiles stale_;
+    glm::dvec2 focus_{0};  // pixels of the renderer: where the brush was last, else the middle
+    double live_ms_ = 0;   // of tracing since the last dab
+    std::vector<PixelRect> traced_;
 };
 
 }  // namespace relievo::gui

@@ -10,7 +10,8 @@
 namespace relievo::gui {
 namespace {
 
-constexpr double kMovingMs = 60;  // aim for one frame in motion, all panes together
+// Aims, all panes together: one call of the renderer, and one frame in motion.
+constexpr double kSliceMs = 14, kLeastSliceMs = 5, kMovingMs = 32;
 constexpr double kLeastError = 1e-7, kMostError = 1;
 constexpr double kCostRank = 0.98;  // of the pixels: a few rays cost ten times the rest
 constexpr double kLeastShare = 0.05;
@@ -137,6 +138,15 @@ bool LivePicture::take_changed() {
     return changed;
 }
 
+std::vector<PixelRect> LivePicture::take_traced() {
+    std::vector<PixelRect> traced = panes_.front()->take_traced();
+    const double scale = 1 / to_renderer_x(1);
+    const auto scaled = [&](int at) { return static_cast<int>(std::lround(at * scale)); };
+    for (PixelRect& rect : traced)
+        rect = {scaled(rect.x0), scaled(rect.y0), scaled(rect.x1), scaled(rect.y1)};
+    return traced;
+}
+
 int LivePicture::samples() const {
     int least = panes_.front()->samples();
     for (const auto& pane : panes_) least = std::min(least, pane->samples());
@@ -151,13 +161,17 @@ double LivePicture::progress() const {
 
 void LivePicture::work(double budget_ms) {
     const auto start = Clock::now();
-    bool urgent = false;
+    const auto share = static_cast<double>(panes_.size());
+    bool moved = false;
+    double left_ms = budget_ms;
     do {
         if (idle()) break;
+        const double slice_ms = std::clamp(left_ms, kLeastSliceMs, kSliceMs) / share;
         // Slice about slice, so that a noisy machine slows both methods alike.
         for (auto& pane : panes_)
-            if (!pane->idle()) urgent |= pane->step(kMovingMs / static_cast<double>(panes_.size()));
-    } while (!urgent && ms_since(start) < budget_ms);
+            if (!pane->idle()) moved |= pane->step(slice_ms, kMovingMs / share);
+        left_ms = budget_ms - ms_since(start);
+    } while (!moved && left_ms > kLeastSliceMs);
     update_scale();
     follow_reference();
 }

@@ -54,6 +54,8 @@ class LivePicture {
     void work(double budget_ms);
     bool idle() const;
     bool take_changed();
+    // What of a stroke's surface was traced since the last call, pixels on screen, the left pane's.
+    std::vector<PixelRect> take_traced();
 
     int samples() const;      // of the pane that has least
     double progress() const;  // likewise

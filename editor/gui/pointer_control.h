@@ -18,6 +18,7 @@ class PointerControl {
     void cancel();  // Esc: the stroke, or the brush drag
 
     bool in_stroke() const { return stroke_.active(); }
+    std::uint64_t dabs() const { return stroke_.dabs(); }
     bool dragging() const { return stroke_.active() || divider_ || drag_ != CameraDrag::none; }
     bool drags_divider() const { return divider_; }
     // The camera's movements since the last call, as one command.

@@ -24,8 +24,9 @@ void StrokeControl::begin(const InputEvent& event) {
     input_.emplace(
         brush, [&session](std::span<const Ray> rays) { return session.renderer().pick(rays); },
         [&session](double x, double y) { return session.renderer().camera_ray(x, y); },
-        [&session, &live](const Dab& dab) {
+        [this, &session, &live](const Dab& dab) {
             session.dab(dab);
+            ++dabs_;
             live.after_dab();
         });
     input_->begin(pointer(event));

@@ -1,6 +1,7 @@
 // From pointer events on the picture to a stroke of the session.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "editor/gui/live_picture.h"
@@ -14,6 +15,7 @@ class StrokeControl {
     StrokeControl(Session& session, LivePicture& live) : session_(&session), live_(&live) {}
 
     bool active() const { return input_.has_value(); }
+    std::uint64_t dabs() const { return dabs_; }  // made so far, in all strokes
 
     // Positions are in pixels of the picture on screen. With Ctrl, draw lowers instead of raising; with
     // Shift, the stroke smooths. Throws std::invalid_argument when a brush setting is out of its range.
@@ -28,6 +30,7 @@ class StrokeControl {
     Session* session_;
     LivePicture* live_;
     std::optional<StrokeInput> input_;
+    std::uint64_t dabs_ = 0;
 };
 
 }  // namespace relievo::gui

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLeastWidth = 640, kLeastHeight = 400;
 
-std::uint64_t now_us() {
+std::uint64_t clock_us() {
     const auto since = std::chrono::steady_clock::now().time_since_epoch();
     return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(since).count());
 }
@@ -97,7 +97,7 @@ PixelSize fitted_to_screen(PixelSize size) {
 
 }  // namespace
 
-Window::Window(PixelSize size) : start_us_(now_us()) {
+Window::Window(PixelSize size) : start_us_(clock_us()) {
     if (!glfwInit())
         throw std::runtime_error("cannot open a window: " + last_glfw_error() +
                                  "; relievo render and relievo replay work without a display");
@@ -151,6 +151,10 @@ void Window::set_title(const std::string& title) {
     title_ = title;
 }
 
+double Window::now_us() const {
+    return static_cast<double>(clock_us() - start_us_);
+}
+
 void Window::poll() {
     before_events();
     glfwPollEvents();
@@ -185,7 +189,7 @@ void Window::refuse_close() {
 }
 
 void Window::add(InputEvent event) {
-    event.time_us = now_us() - start_us_;
+    event.time_us = clock_us() - start_us_;
     event.x = x_ * pixels_per_unit_;
     event.y = y_ * pixels_per_unit_;
     events_.push_back(event);

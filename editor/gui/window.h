@@ -45,6 +45,10 @@ class Window {
     void poll();
     void wait(double seconds);  // until an event comes, at most so long
     std::deque<InputEvent>& events() { return events_; }
+    double now_us() const;  // on the clock of the events' times
+    std::uint64_t start_us() const {
+        return start_us_;
+    }  // of the steady clock: where the events' times begin
 
     bool close_wanted() const;
     void refuse_close();

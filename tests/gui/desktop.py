@@ -44,9 +44,8 @@ def difference(a, b, box):
 
 
 class Desktop:
-    WIDTH, HEIGHT = 900, 600
-
-    def __init__(self, folder):
+    def __init__(self, folder, width=900, height=600):
+        self.width, self.height = width, height
         for tool in ("Xvfb", "xdotool"):
             if not shutil.which(tool):
                 print(f"skipped: {tool} is not installed")
@@ -55,7 +54,7 @@ class Desktop:
         os.mkdir(self.buffer)
         reader, writer = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{self.WIDTH}x{self.HEIGHT}x24", "-fbdir",
+            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{width}x{height}x24", "-fbdir",
              self.buffer, "-nolisten", "tcp", "-noreset"], pass_fds=[writer], stderr=subprocess.DEVNULL)
         os.close(writer)
         with os.fdopen(reader) as pipe:
@@ -106,13 +105,14 @@ class Desktop:
 class Editor:
     """The program with its window. Leaves with stop() or kill()."""
 
-    def __init__(self, desktop, relievo, scene, folder, journal=None):
+    def __init__(self, desktop, relievo, scene, folder, journal=None, arguments=(), validation=True):
         self.desktop, self.folder = desktop, folder
         self.log = os.path.join(folder, f"log-{time.monotonic_ns()}.txt")
-        environment = {**os.environ, "DISPLAY": desktop.display, "RELIEVO_VALIDATION": "1",
-                       "XDG_STATE_HOME": os.path.join(folder, "state")}
+        environment = {**os.environ, "DISPLAY": desktop.display, "RELIEVO_VALIDATION": "1" if validation else "0",
+                       "XDG_STATE_HOME": os.path.join(folder, "state"),
+                       "XDG_CONFIG_HOME": os.path.join(folder, "config")}
         environment.pop("WAYLAND_DISPLAY", None)
-        command = [relievo, "edit", "--size", f"{desktop.WIDTH}x{desktop.HEIGHT}"]
+        command = [relievo, "edit", "--size", f"{desktop.width}x{desktop.height}", *arguments]
         if scene:
             command.append(scene)
         if journal:
