@@ -13,6 +13,7 @@
 #include "editor/gui/panels.h"
 #include "editor/gui/picture_overlay.h"
 #include "editor/session/image_file.h"
+#include "editor/session/preferences.h"
 
 namespace relievo::gui {
 namespace {
@@ -50,6 +51,9 @@ App::App(Window& window, Screen& screen, Session& session, FrameLog& log, double
       live_(session, reference_, screen.format()),
       desk_(session, live_, reference_, toasts_),
       pointer_(desk_) {
+    const Preferences preferences = load_preferences();
+    desk_.view.hint = !preferences.first_hint_seen;
+    desk_.view.side_width = static_cast<float>(preferences.side_width);
     if (!message.empty()) toasts_.error(message);
     for (const std::string& warning : session.scene().warnings) toasts_.info(warning);
 }
@@ -69,6 +73,12 @@ Departure App::run() {
             pointer_.cancel();
             desk_.leave({});
         }
+        if (desk_.view.hint && pointer_.dabs() > 0 && !pointer_.in_stroke()) end_hint();
+        if (const std::string path = window_->take_dropped(); !path.empty()) {
+            pointer_.cancel();
+            desk_.open_file(path);
+            frames_due_ = kSettleFrames;
+        }
         timed(times_.trace_ms, [&] { live_.work(std::max(kLeastTraceMs, kTurnMs - times_.input_ms)); });
         note_traced();
         timed(times_.cursor_ms, [&] { follow_pointer(); });
@@ -82,6 +92,10 @@ Departure App::run() {
             if (!trouble.empty()) toasts_.error(trouble);
         }
     }
+    desk_.attempt([&] {
+        change_preferences(
+            [&](Preferences& p) { p.side_width = static_cast<double>(desk_.view.side_width); });
+    });
     return *desk_.departure;
 }
 
@@ -98,6 +112,11 @@ void App::draw() {
     times_.draw_ms = ms_since(last_drawn_);
     log_->shown(pointer_.in_stroke(), times_);
     if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
+}
+
+void App::end_hint() {
+    desk_.view.hint = false;
+    desk_.attempt([] { change_preferences([](Preferences& p) { p.first_hint_seen = true; }); });
 }
 
 void App::note_traced() {
@@ -154,11 +173,10 @@ void App::handle_input() {
 
 void App::handle_key(const InputEvent& event) {
     if (event.code == GLFW_KEY_ESCAPE) return pointer_.cancel();
-    if (event.code == GLFW_KEY_F12) desk_.view.screenshot_wanted = true;
     const bool typing = ImGui::GetIO().WantTextInput && closing_frames_ == 0;
-    if (pointer_.dragging() || typing || !picture_free()) return;
-    pointer_.apply_camera();
-    on_key(desk_, event, {layout_.picture.width, layout_.picture.height});
+    const bool busy = pointer_.dragging() || typing || !picture_free();
+    if (!busy) pointer_.apply_camera();
+    on_key(desk_, event, {layout_.picture.width, layout_.picture.height}, busy);
     pointer_stale_ = true;
 }
 
@@ -207,6 +225,7 @@ void App::draw_over_picture() {
     desk_.why.draw_mark(list, desk_.session, picture);
     const bool divider = pointer_.drags_divider() || (over && !pointer_.dragging() && on_divider(desk_, x));
     draw_picture_overlay(desk_, picture, divider);
+    if (desk_.view.hint) draw_first_hint(picture);
     if (divider) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (over && !divider && desk_.view.asking) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }

@@ -28,6 +28,7 @@ class App {
     void wait_for_input();
     void draw();
     void note_traced();
+    void end_hint();
     void handle_input();
     void handle_key(const InputEvent& event);
     bool picture_free() const;

@@ -76,6 +76,14 @@ Camera zoomed(const Camera& camera, double notches) {
     return moved;
 }
 
+Camera with_fov(const Camera& camera, double fov_deg) {
+    const double scale = std::tan(glm::radians(camera.fov_deg) / 2) / std::tan(glm::radians(fov_deg) / 2);
+    Camera moved = camera;
+    moved.fov_deg = fov_deg;
+    moved.eye = camera.look_at + (camera.eye - camera.look_at) * scale;
+    return moved;
+}
+
 Camera looking_along(const Camera& camera, Axis axis) {
     const double quarter = glm::radians(90.0);
     const Angles now = angles_of(camera);

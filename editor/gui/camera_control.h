@@ -11,6 +11,9 @@ Camera orbited(const Camera& camera, double dx_px, double dy_px, int height_px);
 Camera panned(const Camera& camera, double dx_px, double dy_px, int height_px);  // the look_at plane follows
 Camera zoomed(const Camera& camera, double notches);                             // positive: nearer
 
+// Another field of view (degrees, vertical), from where the plane through look_at is seen as large as before.
+Camera with_fov(const Camera& camera, double fov_deg);
+
 enum class Axis { front, right, top };
 Camera looking_along(const Camera& camera, Axis axis);  // same distance; opposite when it looks so already
 

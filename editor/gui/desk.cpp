@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 
+#include "editor/gui/camera_control.h"
 #include "renderer/methods/registry.h"
 
 namespace relievo::gui {
 namespace {
 
+constexpr double kFlatFovDeg = 2;
 constexpr float kLeastRadius = 0.002f, kMostRadius = 2.0f;  // of the mesh's
 
 }  // namespace
@@ -66,6 +69,41 @@ bool Desk::save_to(const std::filesystem::path& path) {
     return saved;
 }
 
+void Desk::open_file(const std::filesystem::path& path) {
+    std::filesystem::path scene = path;
+    const bool can = attempt([&] {
+        switch (kind_of_file(path)) {
+            case FileKind::scene:
+                return;
+            case FileKind::mesh:
+                scene = scene_of_mesh(path);
+                return;
+            case FileKind::map:
+                scene = scene_with_map(session.scene().path, path);
+                return;
+            case FileKind::unknown:
+                throw std::invalid_argument(
+                    path.string() +
+                    ": is no scene (.json), mesh (.obj, .ply, .off) or map (.png, .tif, "
+                    ".tiff, .exr)");
+        }
+    });
+    if (can) leave({Departure::Kind::open, scene, {}});
+}
+
+void Desk::revert() {
+    attempt([&] {
+        if (!session.unsaved()) {
+            toasts.info("Nothing to revert: the map is as it was saved");
+        } else if (session.revert()) {
+            live.restart();
+        } else {
+            toasts.error(
+                "The steps back to the saved map are gone from the undo memory; open the file again");
+        }
+    });
+}
+
 void Desk::leave(const Departure& wanted) {
     if (session.in_stroke()) return;
     if (!session.unsaved()) {
@@ -80,6 +118,17 @@ void Desk::scale_radius(double factor) {
     float& radius = session.brush().radius;
     radius = std::clamp(radius * static_cast<float>(factor), kLeastRadius * mesh_radius(),
                         kMostRadius * mesh_radius());
+}
+
+void Desk::start_drag(BrushDrag drag) {
+    if (!session.in_stroke()) view.brush_drag = drag;
+}
+
+void Desk::flatten_view() {
+    const Camera& camera = session.scene().camera;
+    const bool flat = camera.fov_deg <= kFlatFovDeg * 1.01;
+    if (!flat) view.full_fov_deg = camera.fov_deg;
+    set_camera(with_fov(camera, flat ? view.full_fov_deg : kFlatFovDeg));
 }
 
 void Desk::choose_tool(std::size_t index) {

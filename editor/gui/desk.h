@@ -12,6 +12,7 @@
 #include "editor/gui/prism_overlay.h"
 #include "editor/gui/ray_panel.h"
 #include "editor/gui/toasts.h"
+#include "editor/session/derived_scene.h"
 #include "editor/session/recovery.h"
 #include "editor/session/session.h"
 
@@ -25,7 +26,7 @@ struct Departure {
 };
 
 // A dialog that the next frame opens.
-enum class Dialog { none, keys, open_scene, save_as, unsaved, recovery };
+enum class Dialog { none, keys, open, new_map, save_as, export_map, unsaved, recovery };
 
 // A brush setting that follows the pointer until a click.
 enum class BrushDrag { none, radius, strength };
@@ -37,8 +38,10 @@ struct ViewState {
     Dialog wanted = Dialog::none;
     BrushDrag brush_drag = BrushDrag::none;
     bool screenshot_wanted = false;
-    MethodChoice second{};  // of the right part while the picture is split, and the next time
-    bool asking = false;    // a click asks what happened to the pixel's ray, and does not sculpt
+    double full_fov_deg = 40;  // what flatten_view() goes back to
+    MethodChoice second{};     // of the right part while the picture is split, and the next time
+    bool hint = false;         // for a first stroke
+    bool asking = false;       // a click asks what happened to the pixel's ray, and does not sculpt
 };
 
 class Desk {
@@ -64,8 +67,12 @@ class Desk {
     void redo();
     void save();  // asks for a path where there is none yet
     bool save_to(const std::filesystem::path& path);
-    void leave(const Departure& departure);  // asks first when work is unsaved
+    void open_file(const std::filesystem::path& path);  // a scene, a mesh, or a map for the edited object
+    void revert();                                      // to what was last saved or loaded
+    void leave(const Departure& departure);             // asks first when work is unsaved
     void scale_radius(double factor);
+    void start_drag(BrushDrag drag);
+    void flatten_view();                  // to nearly parallel lines of sight, or back
     void choose_tool(std::size_t index);  // into tools(); beyond them, nothing happens
     void set_view(View view);
     void split(bool wanted);  // the right part of the picture by the second method

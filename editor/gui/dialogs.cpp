@@ -10,6 +10,7 @@
 #include "editor/gui/keys.h"
 #include "editor/gui/theme.h"
 #include "editor/gui/widgets.h"
+#include "editor/session/preferences.h"
 
 namespace relievo::gui {
 namespace {
@@ -23,22 +24,11 @@ bool begin_dialog(const char* title, float width) {
     return begin_modal(title, nullptr);
 }
 
-bool escape_pressed() {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-}
-
-// The suggested button is the one that Enter pushes.
-bool dialog_button(const char* label, bool suggested = false) {
-    if (suggested) ImGui::PushStyleColor(ImGuiCol_Button, kAccentDim);
-    const bool pushed = ImGui::Button(label, ImVec2(points(120), 0));
-    if (suggested) ImGui::PopStyleColor();
-    return pushed || (suggested && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)));
-}
-
 void draw_keys() {
     if (!begin_dialog(kKeysTitle, 600)) return;
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (const KeyHelp& key : key_help()) {
+        for (const Binding& key : bindings()) {
+            if (key.keys.empty()) continue;
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
             const bool heading = key.meaning.empty();
@@ -132,8 +122,12 @@ void draw_recovery(Desk& desk) {
 
 }  // namespace
 
-FileDialog::Purpose scene_purpose() {
-    return {"Open a scene", "Open", {".json"}, false};
+FileDialog::Purpose open_purpose() {
+    return {"Open a scene, a mesh or a map",
+            "Open",
+            {".json", ".obj", ".ply", ".off", ".png", ".tif", ".tiff", ".exr"},
+            false,
+            load_preferences().recent};
 }
 
 void Dialogs::open(Desk& desk, Dialog dialog) {
@@ -146,13 +140,17 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
             return ImGui::OpenPopup(kUnsavedTitle);
         case Dialog::recovery:
             return ImGui::OpenPopup(kRecoveryTitle);
-        case Dialog::open_scene:
-            files_.open(scene_purpose(), desk.session.scene().path);
+        case Dialog::open:
+            files_.open(open_purpose(), desk.session.scene().path);
             break;
+        case Dialog::new_map:
+            return maps_.open_new(desk);
+        case Dialog::export_map:
+            return maps_.open_export(desk);
         case Dialog::save_as: {
             const std::filesystem::path scene = desk.session.scene().path;
             const auto fresh = scene.parent_path() / (scene.stem().string() + ".tif");
-            files_.open({"Save the map", "Save", {".png", ".tif", ".tiff", ".exr"}, true},
+            files_.open({"Save the map", "Save", {".png", ".tif", ".tiff", ".exr"}, true, {}},
                         desk.session.map_path().value_or(fresh));
             break;
         }
@@ -163,7 +161,7 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
 void Dialogs::draw_files(Desk& desk) {
     const bool was_open = files_.is_open();
     const auto path = files_.draw();
-    if (path && file_purpose_ == Dialog::open_scene) desk.leave({Departure::Kind::open, *path, {}});
+    if (path && file_purpose_ == Dialog::open) desk.open_file(*path);
     if (file_purpose_ != Dialog::save_as || !was_open || files_.is_open()) return;
     const auto waiting = std::exchange(desk.pending, std::nullopt);  // a save on the way out
     if (path && desk.save_to(*path)) desk.departure = waiting;
@@ -172,6 +170,7 @@ void Dialogs::draw_files(Desk& desk) {
 void Dialogs::draw(Desk& desk) {
     if (!desk.session.in_stroke()) open(desk, std::exchange(desk.view.wanted, Dialog::none));
     draw_files(desk);
+    maps_.draw(desk);
     draw_keys();
     draw_unsaved(desk);
     draw_recovery(desk);

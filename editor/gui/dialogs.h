@@ -1,8 +1,10 @@
-// The dialogs over the picture: keys, open, save as, unsaved work, recovery after a crash. One at a time.
+// The dialogs over the picture: keys, open, new map, save as, export, unsaved work, recovery after a crash.
+// One at a time.
 #pragma once
 
 #include "editor/gui/desk.h"
 #include "editor/gui/file_dialog.h"
+#include "editor/gui/map_dialogs.h"
 
 namespace relievo::gui {
 
@@ -16,10 +18,11 @@ class Dialogs {
     void draw_files(Desk& desk);
 
     FileDialog files_;
+    MapDialogs maps_;
     Dialog file_purpose_ = Dialog::none;
 };
 
-// The browser for scene files, which the start without a scene needs too.
-FileDialog::Purpose scene_purpose();
+// The browser for what can be opened, which the start without a scene needs too.
+FileDialog::Purpose open_purpose();
 
 }  // namespace relievo::gui

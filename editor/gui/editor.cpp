@@ -10,6 +10,7 @@
 
 #include "editor/gui/app.h"
 #include "editor/gui/file_dialog.h"
+#include "editor/session/preferences.h"
 #include "editor/session/recovery.h"
 #include "editor/session/replay.h"
 #include "renderer/vulkan/context.h"
@@ -26,7 +27,7 @@ std::optional<std::filesystem::path> ask_for_scene(gui::Window& window, const Se
     vulkan::Context context(vulkan::ContextOptions{options.device, options.validation, true});
     gui::Screen screen(context, window);
     gui::FileDialog files;
-    files.open(gui::scene_purpose(), {});
+    files.open(gui::open_purpose(), {});
     std::optional<std::filesystem::path> chosen;
     while (!chosen && files.is_open() && !window.close_wanted()) {
         window.wait(0.05);
@@ -48,6 +49,22 @@ std::unique_ptr<Session> open_session(const Departure& to, SessionOptions option
     return session;
 }
 
+void remember(const std::filesystem::path& scene, std::string& message) {
+    try {
+        change_preferences([&](Preferences& p) { add_recent(p, scene); });
+    } catch (const std::invalid_argument& trouble) {
+        if (message.empty()) message = trouble.what();
+    }
+}
+
+// The sample that lies beside the program; empty where there is none.
+std::filesystem::path sample_scene() {
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const auto scene = program.parent_path() / "assets" / "scenes" / "asteroid.json";
+    return std::filesystem::exists(scene, error) ? scene : std::filesystem::path();
+}
+
 // Opens scene after scene. A scene that cannot be opened from within the window leaves the last one open.
 void run_scenes(gui::Window& window, gui::FrameLog& log, double most_fps, Departure to,
                 SessionOptions options) {
@@ -65,6 +82,8 @@ void run_scenes(gui::Window& window, gui::FrameLog& log, double most_fps, Depart
             session = open_session({Departure::Kind::open, last, {}}, options);
         }
         last = session->scene().path;
+        remember(last, message);
+        window.set_content_scale(load_preferences().interface_scale);
         gui::Screen screen(session->context(), window);
         gui::App app(window, screen, *session, log, most_fps, message);
         if (std::exchange(first, false)) app.offer(find_abandoned_journals());
@@ -74,19 +93,37 @@ void run_scenes(gui::Window& window, gui::FrameLog& log, double most_fps, Depart
     }
 }
 
+void keep_size(gui::PixelSize size) {
+    try {
+        if (size.width > 0 && size.height > 0)
+            change_preferences([&](Preferences& p) {
+                p.window_width = size.width;
+                p.window_height = size.height;
+            });
+    } catch (const std::invalid_argument&) {
+        // A full disk must not turn a good end into a bad one.
+    }
+}
+
 }  // namespace
 
 int run_editor(const EditorOptions& options) {
     {
         SessionOptions session = options.session;
-        const gui::PixelSize size{session.width > 0 ? session.width : kWindow.width,
-                                  session.height > 0 ? session.height : kWindow.height};
+        const Preferences kept = load_preferences();
+        const bool sized = session.width > 0;
+        const gui::PixelSize size = sized ? gui::PixelSize{session.width, session.height}
+                                    : kept.window_width > 0
+                                        ? gui::PixelSize{kept.window_width, kept.window_height}
+                                        : kWindow;
         session.width = session.height = 0;
         gui::FrameLog log(options.frame_log);
         gui::Window window(size);
         std::optional<std::filesystem::path> scene = options.scene;
+        if (scene->empty()) scene = sample_scene();
         if (scene->empty()) scene = ask_for_scene(window, session);
         if (scene) run_scenes(window, log, options.most_fps, {Departure::Kind::open, *scene, {}}, session);
+        if (!sized) keep_size(window.size());
     }
     if (const int messages = vulkan::Context::validation_messages(); messages > 0)
         throw std::runtime_error("the Vulkan validation layers had " + std::to_string(messages) +

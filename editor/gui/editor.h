@@ -8,7 +8,7 @@
 namespace relievo {
 
 struct EditorOptions {
-    std::filesystem::path scene;      // empty: the window asks for one
+    std::filesystem::path scene;      // empty: the sample beside the program, else the window asks
     std::filesystem::path frame_log;  // when frames and dabs were shown (gui/frame_log.h); empty: not written
     double most_fps = 0;              // frames a second at most; 0: as many as there are to show
     SessionOptions session;           // its width and height, where not 0, are the window's (pixels)

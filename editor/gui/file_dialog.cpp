@@ -105,6 +105,21 @@ void FileDialog::draw_places() {
     ImGui::TextDisabled("%s", folder_.string().c_str());
 }
 
+std::optional<fs::path> FileDialog::draw_recent() {
+    std::optional<fs::path> chosen;
+    if (purpose_.recent.empty()) return chosen;
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::BeginCombo("##recent", "Recent files")) return chosen;
+    for (const fs::path& path : purpose_.recent) {
+        std::error_code ignored;
+        const bool there = fs::exists(path, ignored);
+        if (ImGui::Selectable(path.string().c_str(), false, there ? 0 : ImGuiSelectableFlags_Disabled))
+            chosen = path;
+    }
+    ImGui::EndCombo();
+    return chosen;
+}
+
 void FileDialog::draw_entries(bool& accepted) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     ImGui::BeginChild("files", ImVec2(0, points(300)), true);
@@ -141,6 +156,7 @@ std::optional<fs::path> FileDialog::draw() {
         return std::nullopt;
     }
     bool accepted = false;
+    const std::optional<fs::path> recent = draw_recent();
     draw_places();
     draw_entries(accepted);
     if (just_opened_) ImGui::SetKeyboardFocusHere();
@@ -148,15 +164,11 @@ std::optional<fs::path> FileDialog::draw() {
     ImGui::SetNextItemWidth(-1);
     accepted |= ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
     if (ImGui::IsItemEdited()) confirm_ = false;
-    ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
-    ImGui::TextUnformatted(trouble_.empty() ? " " : trouble_.c_str());
-    ImGui::PopStyleColor();
+    note(trouble_);
     accepted |= ImGui::Button(confirm_ ? "Replace" : purpose_.accept, ImVec2(points(110), 0));
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", ImVec2(points(110), 0)) ||
-        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
-        keep = false;
-    const std::optional<fs::path> result = accepted && keep ? accept() : std::nullopt;
+    if (ImGui::Button("Cancel", ImVec2(points(110), 0)) || escape_pressed()) keep = false;
+    const std::optional<fs::path> result = recent ? recent : accepted && keep ? accept() : std::nullopt;
     if (result || !keep) {
         ImGui::CloseCurrentPopup();
         open_ = false;

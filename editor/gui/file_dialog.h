@@ -15,6 +15,7 @@ class FileDialog {
         const char* accept = "";              // the button's word
         std::vector<std::string> extensions;  // shown and accepted, lower case with the dot
         bool saving = false;                  // a new name may be given; an existing one must be confirmed
+        std::vector<std::filesystem::path> recent{};  // offered at once
     };
 
     // Opens with the next draw(), in the folder of `start` and with its name.
@@ -31,6 +32,7 @@ class FileDialog {
     };
     void go_to(const std::filesystem::path& folder);
     void draw_places();
+    std::optional<std::filesystem::path> draw_recent();
     void draw_entries(bool& accepted);
     std::optional<std::filesystem::path> accept();
     std::filesystem::path named() const;

@@ -1,4 +1,4 @@
-// Keys of the keyboard.
+// Keys of the keyboard and buttons of the mouse.
 #include "editor/gui/keys.h"
 
 #include <GLFW/glfw3.h>
@@ -11,104 +11,87 @@ namespace relievo::gui {
 namespace {
 
 constexpr double kSizeStep = 1.15;
-
-constexpr std::array kHelp{
-    KeyHelp{"Sculpt", ""},
-    KeyHelp{"Left button", "sculpt with the tool"},
-    KeyHelp{"Ctrl + left", "lower in the place of raise"},
-    KeyHelp{"Shift + left", "smooth"},
-    KeyHelp{"Esc", "cancel the stroke"},
-    KeyHelp{"1 to 5", "draw, smooth, flatten, level, erase"},
-    KeyHelp{"[ and ]", "smaller and larger brush"},
-    KeyHelp{"F, Shift + F", "drag size, strength; click keeps"},
-    KeyHelp{"View", ""},
-    KeyHelp{"Alt + left, middle", "orbit"},
-    KeyHelp{"Alt + middle, Shift + middle", "pan"},
-    KeyHelp{"Alt + right, Ctrl + middle, wheel", "zoom"},
-    KeyHelp{"A", "show all"},
-    KeyHelp{"Numpad 1, 3, 7", "from the front, the right, above; again: opposite"},
-    KeyHelp{"V, Shift + V", "the next view, and the one before"},
-    KeyHelp{"C", "two methods side by side"},
-    KeyHelp{"F2", "a click lists what the pixel's ray met; Esc ends it"},
-    KeyHelp{"Tab", "hide and show the interface"},
-    KeyHelp{"File", ""},
-    KeyHelp{"Ctrl + S, Ctrl + Shift + S", "save the map, save as"},
-    KeyHelp{"Ctrl + O", "open a scene"},
-    KeyHelp{"Ctrl + Z", "undo"},
-    KeyHelp{"Ctrl + Shift + Z, Ctrl + Y", "redo"},
-    KeyHelp{"F12", "screenshot of the window into the working folder"},
-    KeyHelp{"Ctrl + Q", "quit"},
-    KeyHelp{"F1", "this list"},
-};
-
-void on_control_key(Desk& desk, int key, bool shift) {
-    switch (key) {
-        case GLFW_KEY_Z:
-            return shift ? desk.redo() : desk.undo();
-        case GLFW_KEY_Y:
-            return desk.redo();
-        case GLFW_KEY_S:
-            if (!shift) return desk.save();
-            desk.view.wanted = Dialog::save_as;
-            return;
-        case GLFW_KEY_O:
-            desk.view.wanted = Dialog::open_scene;
-            return;
-        case GLFW_KEY_Q:
-            return desk.leave({});
-        default:
-            return;
-    }
-}
+constexpr int kControl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 
 void look(Desk& desk, Axis axis) {
     desk.set_camera(looking_along(desk.session.scene().camera, axis));
 }
 
+using D = Desk;
+using K = KeyPress;
+
+constexpr std::array kBindings{
+    Binding{"Sculpt", ""},
+    Binding{"Left button", "sculpt with the tool"},
+    Binding{"Ctrl + left", "the opposite: lower in the place of raise"},
+    Binding{"Shift + left", "smooth"},
+    Binding{"Esc", "cancel the stroke or the drag"},
+    Binding{"1 to 9", "the tools at the left, from the top", GLFW_KEY_1, GLFW_KEY_9, 0,
+            [](D& d, const K& k) { d.choose_tool(static_cast<std::size_t>(k.key - GLFW_KEY_1)); }},
+    Binding{"[ and ]", "smaller and larger brush", GLFW_KEY_LEFT_BRACKET, GLFW_KEY_LEFT_BRACKET, 0,
+            [](D& d, const K&) { d.scale_radius(1 / kSizeStep); }},
+    Binding{"", "larger", GLFW_KEY_RIGHT_BRACKET, GLFW_KEY_RIGHT_BRACKET, 0,
+            [](D& d, const K&) { d.scale_radius(kSizeStep); }},
+    Binding{"F", "drag the size; click keeps it", GLFW_KEY_F, GLFW_KEY_F, 0,
+            [](D& d, const K&) { d.start_drag(BrushDrag::radius); }},
+    Binding{"Shift + F", "drag the strength", GLFW_KEY_F, GLFW_KEY_F, kShift,
+            [](D& d, const K&) { d.start_drag(BrushDrag::strength); }},
+    Binding{"View", ""},
+    Binding{"Alt + left, middle", "orbit"},
+    Binding{"Alt + middle, Shift + middle", "pan"},
+    Binding{"Alt + right, Ctrl + middle, wheel", "zoom"},
+    Binding{"A", "show all", GLFW_KEY_A, GLFW_KEY_A, 0,
+            [](D& d, const K& k) { d.set_camera(framing_all(d.session.scene(), k.picture)); }},
+    Binding{"Numpad 1, 3, 7", "from the front, the right, above; again: opposite", GLFW_KEY_KP_1,
+            GLFW_KEY_KP_1, 0, [](D& d, const K&) { look(d, Axis::front); }},
+    Binding{"", "right", GLFW_KEY_KP_3, GLFW_KEY_KP_3, 0, [](D& d, const K&) { look(d, Axis::right); }},
+    Binding{"", "above", GLFW_KEY_KP_7, GLFW_KEY_KP_7, 0, [](D& d, const K&) { look(d, Axis::top); }},
+    Binding{"Numpad 5", "nearly parallel lines of sight, and back", GLFW_KEY_KP_5, GLFW_KEY_KP_5, 0,
+            [](D& d, const K&) { d.flatten_view(); }},
+    Binding{"V, Shift + V", "the next view, and the one before", GLFW_KEY_V, GLFW_KEY_V, 0,
+            [](D& d, const K&) { d.set_view(next_view(d.live.view(), 1)); }},
+    Binding{"", "the view before", GLFW_KEY_V, GLFW_KEY_V, kShift,
+            [](D& d, const K&) { d.set_view(next_view(d.live.view(), -1)); }},
+    Binding{"C", "two methods side by side", GLFW_KEY_C, GLFW_KEY_C, 0,
+            [](D& d, const K&) { d.split(!d.live.is_split()); }},
+    Binding{"F2", "a click lists what the pixel's ray met; Esc ends it", GLFW_KEY_F2, GLFW_KEY_F2, 0,
+            [](D& d, const K&) { d.view.asking = !d.view.asking; }},
+    Binding{"Tab", "hide and show the interface", GLFW_KEY_TAB, GLFW_KEY_TAB, 0,
+            [](D& d, const K&) { d.view.interface_hidden = !d.view.interface_hidden; }},
+    Binding{"File", ""},
+    Binding{"Ctrl + N", "a new map", GLFW_KEY_N, GLFW_KEY_N, kControl,
+            [](D& d, const K&) { d.view.wanted = Dialog::new_map; }},
+    Binding{"Ctrl + O", "open a scene, a mesh or a map; or drop it on the window", GLFW_KEY_O, GLFW_KEY_O,
+            kControl, [](D& d, const K&) { d.view.wanted = Dialog::open; }},
+    Binding{"Ctrl + S, Ctrl + Shift + S", "save the map, save as", GLFW_KEY_S, GLFW_KEY_S, kControl,
+            [](D& d, const K&) { d.save(); }},
+    Binding{"", "save as", GLFW_KEY_S, GLFW_KEY_S, kControl | kShift,
+            [](D& d, const K&) { d.view.wanted = Dialog::save_as; }},
+    Binding{"Ctrl + E", "export the map with a range of values", GLFW_KEY_E, GLFW_KEY_E, kControl,
+            [](D& d, const K&) { d.view.wanted = Dialog::export_map; }},
+    Binding{"Ctrl + Z", "undo", GLFW_KEY_Z, GLFW_KEY_Z, kControl, [](D& d, const K&) { d.undo(); }},
+    Binding{"Ctrl + Shift + Z, Ctrl + Y", "redo", GLFW_KEY_Z, GLFW_KEY_Z, kControl | kShift,
+            [](D& d, const K&) { d.redo(); }},
+    Binding{"", "redo", GLFW_KEY_Y, GLFW_KEY_Y, kControl, [](D& d, const K&) { d.redo(); }},
+    Binding{"F12", "screenshot of the window into the working folder", GLFW_KEY_F12, GLFW_KEY_F12, 0,
+            [](D& d, const K&) { d.view.screenshot_wanted = true; }, true},
+    Binding{"Ctrl + Q", "quit", GLFW_KEY_Q, GLFW_KEY_Q, kControl, [](D& d, const K&) { d.leave({}); }},
+    Binding{"F1", "this list", GLFW_KEY_F1, GLFW_KEY_F1, 0,
+            [](D& d, const K&) { d.view.wanted = Dialog::keys; }},
+};
+
 }  // namespace
 
-std::span<const KeyHelp> key_help() {
-    return kHelp;
+std::span<const Binding> bindings() {
+    return kBindings;
 }
 
-void on_key(Desk& desk, const InputEvent& event, PixelSize picture) {
-    const bool shift = event.mods & GLFW_MOD_SHIFT;
-    if (event.mods & GLFW_MOD_CONTROL) return on_control_key(desk, event.code, shift);
-    if (event.mods & GLFW_MOD_ALT) return;
-    if (event.code >= GLFW_KEY_1 && event.code <= GLFW_KEY_9)
-        return desk.choose_tool(static_cast<std::size_t>(event.code - GLFW_KEY_1));
-    switch (event.code) {
-        case GLFW_KEY_LEFT_BRACKET:
-            return desk.scale_radius(1 / kSizeStep);
-        case GLFW_KEY_RIGHT_BRACKET:
-            return desk.scale_radius(kSizeStep);
-        case GLFW_KEY_F:
-            desk.view.brush_drag = shift ? BrushDrag::strength : BrushDrag::radius;
-            return;
-        case GLFW_KEY_A:
-            return desk.set_camera(framing_all(desk.session.scene(), picture));
-        case GLFW_KEY_KP_1:
-            return look(desk, Axis::front);
-        case GLFW_KEY_KP_3:
-            return look(desk, Axis::right);
-        case GLFW_KEY_KP_7:
-            return look(desk, Axis::top);
-        case GLFW_KEY_V:
-            return desk.set_view(next_view(desk.live.view(), shift ? -1 : 1));
-        case GLFW_KEY_C:
-            return desk.split(!desk.live.is_split());
-        case GLFW_KEY_F2:
-            desk.view.asking = !desk.view.asking;
-            return;
-        case GLFW_KEY_TAB:
-            desk.view.interface_hidden = !desk.view.interface_hidden;
-            return;
-        case GLFW_KEY_F1:
-            desk.view.wanted = Dialog::keys;
-            return;
-        default:
-            return;
-    }
+void on_key(Desk& desk, const InputEvent& event, PixelSize picture, bool busy) {
+    const int mods = event.mods & (kControl | kShift | GLFW_MOD_ALT);
+    for (const Binding& binding : kBindings)
+        if (binding.run && (binding.always || !busy) && event.code >= binding.first &&
+            event.code <= binding.last && mods == binding.mods)
+            return binding.run(desk, {event.code, picture});
 }
 
 }  // namespace relievo::gui

@@ -1,4 +1,5 @@
-// Keys of the keyboard: what they do, and the list that F1 shows.
+// Keys of the keyboard and buttons of the mouse: one table that says what they do, does it, and is what F1
+// shows.
 #pragma once
 
 #include <span>
@@ -8,12 +9,21 @@
 
 namespace relievo::gui {
 
-struct KeyHelp {
-    std::string_view keys, meaning;  // an empty meaning: a heading
+struct KeyPress {
+    int key = 0;        // GLFW's
+    PixelSize picture;  // for views
 };
-std::span<const KeyHelp> key_help();
 
-// A key press while no dialog is open and no text is being typed. `picture`: its size, for views.
-void on_key(Desk& desk, const InputEvent& event, PixelSize picture);
+struct Binding {
+    std::string_view keys, meaning;  // for F1; an empty meaning: a heading; no keys: not listed on its own
+    int first = 0, last = 0;         // GLFW keys, from first to last; 0: of the mouse, or a heading
+    int mods = 0;                    // GLFW_MOD_CONTROL, _ALT and _SHIFT, exactly these
+    void (*run)(Desk& desk, const KeyPress& press) = nullptr;
+    bool always = false;  // in a stroke, and while a dialog is open or text is being typed, too
+};
+std::span<const Binding> bindings();
+
+// `picture`: its size. `busy`: in a stroke or drag, or while a dialog has the keyboard.
+void on_key(Desk& desk, const InputEvent& event, PixelSize picture, bool busy);
 
 }  // namespace relievo::gui

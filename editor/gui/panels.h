@@ -26,7 +26,4 @@ void begin_panel(const char* name, const Box& box, float pad_x, float pad_y);
 void falloff_combo(Desk& desk);
 void method_combo(Desk& desk);
 
-// How a brush setting is shown: its slider's range and tooltip from the table of brushes/brush.h.
-void brush_slider(Desk& desk, std::string_view name, std::string_view label);
-
 }  // namespace relievo::gui

@@ -169,6 +169,22 @@ bool on_divider(const Desk& desk, double x) {
            std::abs(x - desk.live.divider_px()) <= static_cast<double>(points(kGripPoints));
 }
 
+void draw_first_hint(const Box& picture) {
+    constexpr std::array kLines{"Drag over the surface to raise it. Ctrl lowers, Shift smooths.",
+                                "Alt + drag turns it, the wheel zooms, 1 to 9 change the tool.",
+                                "Ctrl + Z undoes. F1 lists every key."};
+    float width = 0;
+    for (const char* line : kLines) width = std::max(width, ImGui::CalcTextSize(line).x);
+    const float pad = points(14), row = ImGui::GetTextLineHeightWithSpacing();
+    const float left = static_cast<float>(picture.x) + (static_cast<float>(picture.width) - width) / 2;
+    const float top = static_cast<float>(picture.y) + points(16);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled({left - pad, top}, {left + width + pad, top + row * kLines.size() + pad}, kPlate,
+                       points(6));
+    for (std::size_t i = 0; i < kLines.size(); ++i)
+        list.AddText({left, top + pad * 0.7f + row * static_cast<float>(i)}, kText, kLines[i]);
+}
+
 void draw_picture_overlay(Desk& desk, const Box& picture, bool pointer_on_divider) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const LivePicture& live = desk.live;

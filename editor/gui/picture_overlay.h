@@ -10,6 +10,9 @@ namespace relievo::gui {
 // `pointer_on_divider`: it is lit then.
 void draw_picture_overlay(Desk& desk, const Box& picture, bool pointer_on_divider);
 
+// What a newcomer needs for a first stroke, in three lines.
+void draw_first_hint(const Box& picture);
+
 // Whether a press at (x, y), pixels of the picture, takes the divider.
 bool on_divider(const Desk& desk, double x);
 

@@ -55,6 +55,7 @@ void PointerControl::on_press(const InputEvent& local) {
     }
     const bool alt = local.mods & GLFW_MOD_ALT;
     drag_button_ = local.code;
+    camera_before_ = camera_.value_or(desk_->session.scene().camera);
     if (local.code == GLFW_MOUSE_BUTTON_MIDDLE) {
         const bool shift = local.mods & GLFW_MOD_SHIFT, control = local.mods & GLFW_MOD_CONTROL;
         drag_ = alt || shift ? CameraDrag::pan : control ? CameraDrag::zoom : CameraDrag::orbit;
@@ -139,6 +140,11 @@ void PointerControl::drag_brush(double dx) {
 void PointerControl::cancel() {
     if (!stroke_.active()) desk_->view.asking = false;
     stroke_.cancel();
+    if (drag_ != CameraDrag::none) {
+        drag_ = CameraDrag::none;
+        camera_ = camera_before_;
+        apply_camera();
+    }
     if (desk_->view.brush_drag == BrushDrag::none) return;
     if (brush_before_) desk_->session.brush() = *brush_before_;
     brush_before_.reset();

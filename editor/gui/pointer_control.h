@@ -15,7 +15,7 @@ class PointerControl {
     // Events in their order, positions on the window. `picture_free`: no dialog or menu lies over the
     // picture.
     void on_event(const InputEvent& event, const Box& picture, bool picture_free);
-    void cancel();  // Esc: the stroke, or the brush drag
+    void cancel();  // Esc: the stroke, or the drag of camera or brush, leaves all as it was
 
     bool in_stroke() const { return stroke_.active(); }
     std::uint64_t dabs() const { return stroke_.dabs(); }
@@ -38,9 +38,10 @@ class PointerControl {
     StrokeControl stroke_;
     CameraDrag drag_ = CameraDrag::none;
     int drag_button_ = 0;
-    bool divider_ = false;               // dragged
-    std::optional<Camera> camera_;       // moved, not yet given to the session
-    std::optional<Brush> brush_before_;  // of a brush drag
+    bool divider_ = false;                 // dragged
+    std::optional<Camera> camera_before_;  // of a camera drag
+    std::optional<Camera> camera_;         // moved, not yet given to the session
+    std::optional<Brush> brush_before_;    // of a brush drag
     double last_x_ = 0, last_y_ = 0;
     int picture_width_ = 1, picture_height_ = 1;
 };

@@ -1,6 +1,8 @@
 // The panel at the right: sections for brush, map, method, lights and material, render.
 #include <imgui.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <string>
 
@@ -41,28 +43,37 @@ void begin_panel(const char* name, const Box& box, float pad_x, float pad_y) {
         {static_cast<float>(box.x + box.width) + 1, static_cast<float>(box.y + box.height) + 1}, kLine);
 }
 
-void brush_slider(Desk& desk, std::string_view name, std::string_view label) {
-    for (const BrushParameter& parameter : brush_parameters()) {
-        if (parameter.name != name) continue;
-        Range range{parameter.low, parameter.high};
-        if (name == "radius") {
-            const float radius = desk.mesh_radius();
-            range = {radius * 0.002f, radius * 2, true, "%.4g"};
-        }
-        slider_row(label, desk.session.brush().*parameter.value, range, parameter.tooltip);
-    }
+namespace {
+
+// What a user calls a setting of the table: "size_jitter" is "Size jitter".
+std::string readable(std::string_view name) {
+    std::string text(name == "radius" ? "size" : name);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
 }
+
+void brush_row(Desk& desk, const BrushParameter& parameter) {
+    Range range{parameter.low, parameter.high};
+    if (parameter.name == "radius") {
+        const float radius = desk.mesh_radius();
+        range = {radius * 0.002f, radius * 2, true, "%.4g"};
+    }
+    slider_row(readable(parameter.name), desk.session.brush().*parameter.value, range, parameter.tooltip);
+}
+
+}  // namespace
 
 void draw_brush_section(Desk& desk) {
     if (!section("Brush")) return;
-    brush_slider(desk, "radius", "Size");
-    brush_slider(desk, "strength", "Strength");
+    const Tool tool = desk.session.brush().tool;
+    for (const BrushParameter& parameter : brush_parameters()) {
+        if (parameter.name == "level" && tool != Tool::level) continue;
+        brush_row(desk, parameter);
+    }
     row_label("Falloff");
     falloff_combo(desk);
-    brush_slider(desk, "hardness", "Hardness");
-    brush_slider(desk, "spacing", "Spacing");
-    if (desk.session.brush().tool == Tool::level) brush_slider(desk, "level", "Level");
-    if (desk.session.brush().tool == Tool::draw)
+    if (tool == Tool::draw)
         switch_row("Lower", desk.session.brush().invert,
                    "Draw lowers the surface. Holding Ctrl does the opposite.");
 }

@@ -7,6 +7,8 @@
 #include "editor/gui/panels.h"
 #include "editor/gui/theme.h"
 #include "editor/gui/widgets.h"
+#include "editor/session/preferences.h"
+#include "editor/session/text.h"
 #include "renderer/methods/registry.h"
 
 namespace relievo::gui {
@@ -28,16 +30,58 @@ void divider() {
     ImGui::SameLine(0, points(10));
 }
 
+void recent_menu(Desk& desk) {
+    if (!ImGui::BeginMenu("Recent")) return;
+    for (const std::filesystem::path& path : load_preferences().recent) {
+        std::error_code ignored;
+        if (ImGui::MenuItem(path.string().c_str(), nullptr, false, std::filesystem::exists(path, ignored)))
+            desk.open_file(path);
+    }
+    ImGui::EndMenu();
+}
+
+// Fonts are made when a scene is opened.
+void scale_menu(Desk& desk) {
+    if (!ImGui::BeginMenu("Interface size")) return;
+    const double now = load_preferences().interface_scale;
+    for (const double scale : {0.0, 1.0, 1.25, 1.5, 2.0}) {
+        const std::string name = scale == 0 ? "the display's" : formatted("%.0f %%", 100 * scale);
+        if (!ImGui::MenuItem(name.c_str(), nullptr, scale == now)) continue;
+        if (desk.attempt([&] { change_preferences([&](Preferences& p) { p.interface_scale = scale; }); }))
+            desk.toasts.info("The interface has that size from the next file on that is opened");
+    }
+    ImGui::EndMenu();
+}
+
+void file_menu(Desk& desk) {
+    if (push_button("File", true, {})) ImGui::OpenPopup("file");
+    if (!ImGui::BeginPopup("file")) return;
+    const auto item = [&](const char* name, const char* keys, Dialog dialog) {
+        if (ImGui::MenuItem(name, keys)) desk.view.wanted = dialog;
+    };
+    item("New map...", "Ctrl+N", Dialog::new_map);
+    item("Open...", "Ctrl+O", Dialog::open);
+    recent_menu(desk);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Save", "Ctrl+S")) desk.save();
+    item("Save as...", "Ctrl+Shift+S", Dialog::save_as);
+    item("Export...", "Ctrl+E", Dialog::export_map);
+    if (ImGui::MenuItem("Revert", nullptr, false, desk.session.unsaved())) desk.revert();
+    tooltip("To what was last saved or loaded, by undo; redo goes back.");
+    ImGui::Separator();
+    if (ImGui::MenuItem("Screenshot", "F12")) desk.view.screenshot_wanted = true;
+    scale_menu(desk);
+    if (ImGui::MenuItem("Quit", "Ctrl+Q")) desk.leave({});
+    ImGui::EndPopup();
+}
+
 void file_buttons(Desk& desk) {
-    if (push_button("Open", true, "Open a scene  (Ctrl+O)")) desk.view.wanted = Dialog::open_scene;
+    file_menu(desk);
     ImGui::SameLine();
     const bool unsaved = desk.session.unsaved();
     if (unsaved) ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
     if (push_button("Save", true, "Save the map  (Ctrl+S)")) desk.save();
     if (unsaved) ImGui::PopStyleColor();
-    ImGui::SameLine();
-    if (push_button("Save as", true, "Save the map under another name or format  (Ctrl+Shift+S)"))
-        desk.view.wanted = Dialog::save_as;
     divider();
     if (push_button("Undo", desk.session.can_undo(), "Ctrl+Z")) desk.undo();
     ImGui::SameLine();

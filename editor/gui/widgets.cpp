@@ -133,4 +133,24 @@ bool push_button(const char* label, bool enabled, std::string_view text) {
     return pushed;
 }
 
+bool escape_pressed() {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+}
+
+bool dialog_button(const char* label, bool suggested) {
+    if (suggested) ImGui::PushStyleColor(ImGuiCol_Button, kAccentDim);
+    const bool pushed = ImGui::Button(label, ImVec2(points(120), 0));
+    if (suggested) ImGui::PopStyleColor();
+    return pushed || (suggested && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)));
+}
+
+void note(std::string_view text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.empty() ? " " : text.data(),
+                           text.empty() ? nullptr : text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
 }  // namespace relievo::gui

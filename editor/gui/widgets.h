@@ -36,6 +36,11 @@ void tooltip(std::string_view text, std::string_view title = {});
 // `keep`, where given, becomes false when the user closes it.
 bool begin_modal(const char* title, bool* keep);
 
+// A dialog's button; the suggested one is what Enter pushes.
+bool dialog_button(const char* label, bool suggested = false);
+bool escape_pressed();
+void note(std::string_view text);  // a line about what is wrong in a dialog; it keeps its place when empty
+
 // Puts the cursor where a control of the row begins, after drawing its label.
 void row_label(std::string_view label);
 

@@ -72,6 +72,9 @@ struct WindowCallbacks {
     static void enter(GLFWwindow* handle, int entered) {
         if (ui_listens()) ImGui_ImplGlfw_CursorEnterCallback(handle, entered);
     }
+    static void drop(GLFWwindow* handle, int count, const char** paths) {
+        if (count > 0) window_of(handle).dropped_ = paths[count - 1];
+    }
     static void set_all(GLFWwindow* handle) {
         glfwSetCursorPosCallback(handle, cursor);
         glfwSetMouseButtonCallback(handle, button);
@@ -80,6 +83,7 @@ struct WindowCallbacks {
         glfwSetCharCallback(handle, character);
         glfwSetWindowFocusCallback(handle, focus);
         glfwSetCursorEnterCallback(handle, enter);
+        glfwSetDropCallback(handle, drop);
     }
 };
 
@@ -139,7 +143,14 @@ PixelSize Window::framebuffer() const {
     return size;
 }
 
+PixelSize Window::size() const {
+    PixelSize size;
+    glfwGetWindowSize(handle_, &size.width, &size.height);
+    return size;
+}
+
 double Window::content_scale() const {
+    if (chosen_scale_ > 0) return chosen_scale_;
     float x = 1, y = 1;
     glfwGetWindowContentScale(handle_, &x, &y);
     return std::clamp(static_cast<double>(std::max(x, y)), 1.0, 4.0);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -39,7 +40,9 @@ class Window {
     VkSurfaceKHR make_surface(VkInstance instance) const;
 
     PixelSize framebuffer() const;  // 0 x 0 while minimised
-    double content_scale() const;   // 1 on ordinary displays, 2 on dense ones
+    PixelSize size() const;         // as the window's constructor takes it
+    double content_scale() const;   // 1 on ordinary displays, 2 on dense ones, or what was set
+    void set_content_scale(double scale) { chosen_scale_ = scale; }  // 0: the display's
     void set_title(const std::string& title);
 
     void poll();
@@ -49,6 +52,9 @@ class Window {
     std::uint64_t start_us() const {
         return start_us_;
     }  // of the steady clock: where the events' times begin
+
+    // A file that was dropped on the window since the last call; empty: none. Of several the last.
+    std::string take_dropped() { return std::exchange(dropped_, {}); }
 
     bool close_wanted() const;
     void refuse_close();
@@ -71,7 +77,8 @@ class Window {
     std::uint64_t start_us_ = 0;
     double x_ = 0, y_ = 0;  // window coordinates
     double pixels_per_unit_ = 1;
-    std::string title_;
+    double chosen_scale_ = 0;
+    std::string title_, dropped_;
 };
 
 }  // namespace relievo::gui

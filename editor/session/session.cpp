@@ -263,6 +263,14 @@ void Session::save(const fs::path& path) {
     confirm_saved(path);
 }
 
+void Session::export_map(const fs::path& path, MapFormat format, MapRange range) const {
+    state_->require_no_stroke();
+    if (format_of(path) != format && format != MapFormat::exr_half)
+        throw std::invalid_argument(path.string() +
+                                    ": the extension names another format than the one that was chosen");
+    save_map(state_->file.map, path, format, range);
+}
+
 void Session::confirm_saved(const fs::path& path) {
     State& s = *state_;
     s.map_path = fs::absolute(path);

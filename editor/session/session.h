@@ -87,6 +87,9 @@ class Session {
     // are kept where the format is the same. std::invalid_argument when it cannot be written: the old file
     // stays whole.
     void save(const std::filesystem::path& path);
+    // Writes the map as another file, with the values of `range` where the format holds floats; what save()
+    // would write, and whether that is due, stays. std::invalid_argument as save().
+    void export_map(const std::filesystem::path& path, MapFormat format, MapRange range) const;
     // Undoes or redoes back to what was last saved or loaded. False when those steps were dropped for memory.
     bool revert();
 

@@ -105,13 +105,19 @@ class Desktop:
 class Editor:
     """The program with its window. Leaves with stop() or kill()."""
 
-    def __init__(self, desktop, relievo, scene, folder, journal=None, arguments=(), validation=True):
+    def __init__(self, desktop, relievo, scene, folder, journal=None, arguments=(), validation=True,
+                 preferences=None):
         self.desktop, self.folder = desktop, folder
         self.log = os.path.join(folder, f"log-{time.monotonic_ns()}.txt")
         environment = {**os.environ, "DISPLAY": desktop.display, "RELIEVO_VALIDATION": "1" if validation else "0",
                        "XDG_STATE_HOME": os.path.join(folder, "state"),
                        "XDG_CONFIG_HOME": os.path.join(folder, "config")}
         environment.pop("WAYLAND_DISPLAY", None)
+        settings = os.path.join(folder, "config", "relievo", "preferences.json")
+        if not os.path.exists(settings):
+            os.makedirs(os.path.dirname(settings))
+            with open(settings, "w") as file:
+                json.dump({"first_hint_seen": True, **(preferences or {})}, file)
         command = [relievo, "edit", "--size", f"{desktop.width}x{desktop.height}", *arguments]
         if scene:
             command.append(scene)

@@ -5,6 +5,7 @@ every case, synchronization included, and any message fails it.
 """
 import argparse
 import glob
+import json
 import os
 import shutil
 import subprocess
@@ -45,6 +46,10 @@ class Case:
 
     def recovery_journals(self):
         return glob.glob(os.path.join(self.folder, "state", "relievo", "*.jsonl"))
+
+    def preferences(self):
+        with open(os.path.join(self.folder, "config", "relievo", "preferences.json")) as file:
+            return json.load(file)
 
     def replay(self, journal, out):
         subprocess.run([self.relievo, "replay", journal, "-o", out], check=True, capture_output=True)
@@ -269,17 +274,51 @@ def finish_and_replay(case, editor):
     case.same_bytes(saved, replayed)
 
 
-def no_scene_asks_for_one(case):
+def first_start_opens_the_sample_with_a_hint(case):
     case.desktop = Desktop(case.folder)
-    case.editor = Editor(case.desktop, case.relievo, None, case.folder, case.journal)
-    time.sleep(1)  # the dialog's list takes the keyboard after a few frames
-    case.desktop.do("type", "--delay", "30", case.scene)
-    time.sleep(0.5)
-    case.desktop.key("Return")
-    wait_for("the scene's journal", lambda: os.path.exists(case.journal))
+    case.editor = Editor(case.desktop, case.relievo, None, case.folder, case.journal,
+                         preferences={"first_hint_seen": False})
     case.editor.screenshot()
+    case.desktop.do("mousemove", 300, 30)
+    before = case.desktop.settled_screen()
+    case.stroke(case.journal)
+    case.desktop.do("mousemove", 300, 30)
+    hint = (140, 66, 520, 110)
+    assert difference(before, case.desktop.settled_screen(), hint) > 2, "the hint did not go away"
+    assert case.preferences()["first_hint_seen"], case.preferences()
+    assert case.preferences()["recent"][0].endswith("asteroid.json"), case.preferences()
+    case.desktop.key("ctrl+z")  # nothing is unsaved then
+    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
     case.desktop.key("ctrl+q")
     case.editor.ended()
+
+
+def new_map_export_and_revert(case):
+    editor = case.open(case.journal)
+    case.stroke(case.journal)
+    # Alone in the dialog, Enter exports; the session still has to be saved.
+    case.desktop.key("ctrl+e")
+    editor.screenshot()
+    case.desktop.key("Return")
+    exported = os.path.join(case.folder, "maps", "asteroid-export.exr")
+    wait_for("the export", lambda: os.path.exists(exported))
+    case.desktop.key("ctrl+z")
+    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
+    case.desktop.key("ctrl+n")
+    editor.screenshot()
+    case.desktop.key("Return")
+    wait_for("the new map", lambda: os.path.exists(os.path.join(case.folder, "maps", "asteroid-new.png")))
+    wait_for("its scene among the recent ones",
+             lambda: "asteroid-new" in case.preferences()["recent"][0] and case.preferences())
+    editor.focus()
+    editor.screenshot()
+    case.desktop.drag(STROKE)
+    wait_for("the stroke on it", case.recovery_journals)
+    journal = case.recovery_journals()[0]
+    wait_for("the stroke on it", lambda: strokes(journal))
+    case.desktop.key("ctrl+s")
+    case.desktop.key("ctrl+q")
+    editor.ended()
 
 
 def no_display(case):
@@ -295,7 +334,8 @@ def main():
              for function in (stroke_saves_and_replays, modifiers_and_cancel, crash_offers_recovery,
                               quit_asks_for_unsaved_work, resized_and_reopened, views_show_the_surface_each_in_its_way,
                               two_methods_side_by_side_while_sculpting, why_this_pixel_lists_its_ray,
-                              no_scene_asks_for_one, no_display)}
+                              first_start_opens_the_sample_with_a_hint,
+                              new_map_export_and_revert, no_display)}
     parser = argparse.ArgumentParser()
     parser.add_argument("case", choices=cases)
     parser.add_argument("--relievo", required=True, type=os.path.abspath)
