@@ -55,7 +55,9 @@ void scale_menu(Desk& desk) {
 
 void file_menu(Desk& desk) {
     if (push_button("File", true, {})) ImGui::OpenPopup("file");
+    ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y});
     if (!ImGui::BeginPopup("file")) return;
+    if (escape_pressed()) ImGui::CloseCurrentPopup();
     const auto item = [&](const char* name, const char* keys, Dialog dialog) {
         if (ImGui::MenuItem(name, keys)) desk.view.wanted = dialog;
     };
