@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -25,8 +26,12 @@ bool begin_dialog(const char* title, float width) {
 }
 
 void draw_keys() {
-    if (!begin_dialog(kKeysTitle, 600)) return;
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+    if (!begin_dialog(kKeysTitle, 660)) return;
+    // A small window scrolls them.
+    const float rows = static_cast<float>(bindings().size()) * (ImGui::GetTextLineHeight() + points(4));
+    const float room = ImGui::GetMainViewport()->Size.y - points(130);
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY,
+                          ImVec2(0, std::clamp(rows, points(80), std::max(points(80), room))))) {
         for (const Binding& key : bindings()) {
             if (key.keys.empty()) continue;
             ImGui::TableNextRow();

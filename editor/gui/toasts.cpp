@@ -24,7 +24,10 @@ void Toasts::add(const std::string& text, bool is_error) {
 
 void Toasts::draw(float x, float y, float width) {
     std::erase_if(toasts_, [](const Toast& toast) { return toast.until < Clock::now(); });
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    // A dialog lies over them: it says itself what is wrong with it.
+    const bool dialog =
+        ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    ImDrawList& list = dialog ? *ImGui::GetBackgroundDrawList() : *ImGui::GetForegroundDrawList();
     const float pad = points(10), bar = points(4);
     for (auto toast = toasts_.rbegin(); toast != toasts_.rend(); ++toast) {
         const float wrap = width - 2 * pad - bar;
