@@ -3,9 +3,15 @@
 
 #include <algorithm>
 #include <exception>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat3x3.hpp>
 #include <stdexcept>
 
 #include "editor/gui/camera_control.h"
+#include "editor/session/preferences.h"
+#include "editor/session/render_output.h"
+#include "editor/session/settings.h"
 #include "renderer/methods/registry.h"
 
 namespace relievo::gui {
@@ -91,6 +97,14 @@ void Desk::open_file(const std::filesystem::path& path) {
     if (can) leave({Departure::Kind::open, scene, {}});
 }
 
+void Desk::save_picture(const std::filesystem::path& path) {
+    const std::vector<Layer> layers =
+        is_png(path) ? std::vector<Layer>{}
+                     : std::vector<Layer>{Layer::depth, Layer::normal, Layer::uv, Layer::id};
+    if (attempt([&] { write_render(session.renderer(), path, layers); }))
+        toasts.info("Saved " + path.string());
+}
+
 void Desk::revert() {
     attempt([&] {
         if (!session.unsaved()) {
@@ -122,6 +136,38 @@ void Desk::scale_radius(double factor) {
 
 void Desk::start_drag(BrushDrag drag) {
     if (!session.in_stroke()) view.brush_drag = drag;
+}
+
+void Desk::keep_camera(int number) {
+    const std::string key = camera_key(session.scene().path, number);
+    const auto value = std::get<std::vector<double>>(camera_value(session.scene().camera));
+    if (attempt([&] { change_preferences([&](Preferences& p) { p.cameras[key] = value; }); }))
+        toasts.info("View " + std::to_string(number) + " is kept; Ctrl + " + std::to_string(number) +
+                    " goes back to it");
+}
+
+void Desk::go_to_camera(int number) {
+    const Preferences kept = load_preferences();
+    const auto found = kept.cameras.find(camera_key(session.scene().path, number));
+    if (found == kept.cameras.end())
+        return toasts.info("No view " + std::to_string(number) + " yet; Ctrl + Shift + " +
+                           std::to_string(number) + " keeps the one you see");
+    set("camera", found->second);
+}
+
+void Desk::turn_lights(double degrees) {
+    const Scene& scene = session.scene();
+    const glm::dmat3 turn(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::normalize(scene.camera.up)));
+    const auto three = [](const glm::dvec3& v) { return std::vector<double>{v.x, v.y, v.z}; };
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        const std::string key = "lights[" + std::to_string(i) + "].";
+        if (light.kind == Light::Kind::sun)
+            set(key + "direction", three(turn * light.direction));
+        else
+            set(key + "position",
+                three(scene.camera.look_at + turn * (light.position - scene.camera.look_at)));
+    }
 }
 
 void Desk::flatten_view() {

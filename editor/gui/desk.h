@@ -26,7 +26,7 @@ struct Departure {
 };
 
 // A dialog that the next frame opens.
-enum class Dialog { none, keys, open, new_map, save_as, export_map, unsaved, recovery };
+enum class Dialog { none, keys, open, new_map, save_as, export_map, save_picture, unsaved, recovery };
 
 // A brush setting that follows the pointer until a click.
 enum class BrushDrag { none, radius, strength };
@@ -68,10 +68,16 @@ class Desk {
     void save();  // asks for a path where there is none yet
     bool save_to(const std::filesystem::path& path);
     void open_file(const std::filesystem::path& path);  // a scene, a mesh, or a map for the edited object
-    void revert();                                      // to what was last saved or loaded
-    void leave(const Departure& departure);             // asks first when work is unsaved
+    // What is traced, without the interface; an EXR has the layers of the surface, too.
+    void save_picture(const std::filesystem::path& path);
+    void revert();                           // to what was last saved or loaded
+    void leave(const Departure& departure);  // asks first when work is unsaved
     void scale_radius(double factor);
     void start_drag(BrushDrag drag);
+    // Views kept between runs; numbers from 1 on.
+    void keep_camera(int number);
+    void go_to_camera(int number);
+    void turn_lights(double degrees);     // all of them about the camera's up vector, through look_at
     void flatten_view();                  // to nearly parallel lines of sight, or back
     void choose_tool(std::size_t index);  // into tools(); beyond them, nothing happens
     void set_view(View view);

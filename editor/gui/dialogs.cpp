@@ -152,6 +152,11 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
             return maps_.open_new(desk);
         case Dialog::export_map:
             return maps_.open_export(desk);
+        case Dialog::save_picture:
+            files_.open(
+                {"Save the picture as far as it is refined", "Save", {".png", ".exr"}, true, {}},
+                std::filesystem::absolute(desk.session.scene().path.stem()).replace_extension(".png"));
+            break;
         case Dialog::save_as: {
             const std::filesystem::path scene = desk.session.scene().path;
             const auto fresh = scene.parent_path() / (scene.stem().string() + ".tif");
@@ -167,6 +172,7 @@ void Dialogs::draw_files(Desk& desk) {
     const bool was_open = files_.is_open();
     const auto path = files_.draw();
     if (path && file_purpose_ == Dialog::open) desk.open_file(*path);
+    if (path && file_purpose_ == Dialog::save_picture) desk.save_picture(*path);
     if (file_purpose_ != Dialog::save_as || !was_open || files_.is_open()) return;
     const auto waiting = std::exchange(desk.pending, std::nullopt);  // a save on the way out
     if (path && desk.save_to(*path)) desk.departure = waiting;

@@ -80,11 +80,26 @@ void light_rows(Desk& desk, std::size_t index) {
     ImGui::PopID();
 }
 
+// The first light's place stands for all.
+void turn_row(Desk& desk) {
+    const Scene& scene = desk.session.scene();
+    const Light& first = scene.lights.front();
+    const bool sun = first.kind == Light::Kind::sun;
+    const glm::dvec3 travels = sun ? first.direction : scene.camera.look_at - first.position;
+    if (glm::length(travels) == 0) return;
+    const float now = place_of(travels, sky_axes(scene.camera)).azimuth;
+    float wanted = now;
+    if (slider_row("Turn all", wanted, {-180, 180, false, "%.0f deg"},
+                   "All lights together around the object, as if it stood on a turntable."))
+        desk.turn_lights(static_cast<double>(wanted - now));
+}
+
 }  // namespace
 
 void draw_lights_section(Desk& desk) {
     if (!section("Lights and material")) return;
     const std::size_t lights = desk.session.scene().lights.size();
+    if (lights > 0) turn_row(desk);
     for (std::size_t i = 0; i < lights; ++i) light_rows(desk, i);
     ImGui::TextUnformatted("Sky");
     float sky = desk.session.scene().environment.intensity;

@@ -1,6 +1,7 @@
 // The column of tools at the left: one drawn icon each.
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -39,12 +40,64 @@ double plateau(double x) {
     return edge * 2.6;
 }
 
+double swollen(double x) {
+    const double d = (x - 0.5) / 0.42;
+    return d * d < 1 ? std::sqrt(1 - d * d) : 0;
+}
+double slab(double x) {
+    return 0.55 / ((1 + std::exp(-(x - 0.18) * 60)) * (1 + std::exp((x - 0.82) * 60)));
+}
+double groove(double x) {
+    return 0.75 - 0.85 * std::exp(-std::abs(x - 0.5) * 11);
+}
+double ridge(double x) {
+    return 0.95 * std::exp(-std::abs(x - 0.5) * 11);
+}
+double wide_bump(double x) {
+    return 0.7 * std::exp(-(x - 0.5) * (x - 0.5) * 12);
+}
+double dragged(double x) {
+    return bump(x - 0.22);
+}
+double wave(double x) {
+    return 0.45 + 0.35 * std::sin(x * 9.4);
+}
+double late_wave(double x) {
+    return 0.45 + 0.35 * std::sin(x * 9.4 - 1.5) * (1 - 0.5 * x);
+}
+double grains(double x) {
+    return 0.4 + 0.22 * std::sin(x * 23.0) + 0.2 * std::sin(x * 41.0 + 1);
+}
+double star(double x) {
+    return std::max(0.0, 0.9 - 5 * std::abs(x - 0.28)) + std::max(0.0, 0.6 - 4 * std::abs(x - 0.72));
+}
+double copied(double x) {
+    return bump(x * 1.9) + bump(x * 1.9 - 0.9);
+}
+double one_copied(double x) {
+    return bump(x * 1.9);
+}
+double barrier(double x) {
+    return x > 0.3 && x < 0.7 ? 0.9 : 0;
+}
+
 struct Icon {
+    std::string_view tool;  // its name in tools()
     Profile before, after;
 };
-// In the order of tools(): draw, smooth, flatten, level, erase.
-constexpr std::array kIcons{Icon{flat, bump}, Icon{rough, gentle}, Icon{bumpy_ramp, ramp},
-                            Icon{bump, plateau}, Icon{bump, flat}};
+constexpr std::array kIcons{
+    Icon{"draw", flat, bump},     Icon{"smooth", rough, gentle},     Icon{"flatten", bumpy_ramp, ramp},
+    Icon{"level", bump, plateau}, Icon{"erase", bump, flat},         Icon{"inflate", bump, swollen},
+    Icon{"clay", flat, slab},     Icon{"crease", flat, groove},      Icon{"pinch", wide_bump, ridge},
+    Icon{"grab", bump, dragged},  Icon{"smear", wave, late_wave},    Icon{"noise", flat, grains},
+    Icon{"stamp", flat, star},    Icon{"clone", one_copied, copied}, Icon{"mask", flat, barrier},
+};
+
+const Icon& icon_of(std::string_view tool) {
+    for (const Icon& icon : kIcons)
+        if (icon.tool == tool) return icon;
+    return kIcons.front();
+}
 
 void draw_profile(ImDrawList& list, ImVec2 low, float size, Profile profile, ImU32 colour, float width) {
     constexpr int kSteps = 32;
@@ -83,18 +136,30 @@ std::string capitalised(std::string_view name) {
     return text;
 }
 
+// As keys.cpp has them.
+std::string key_of(std::size_t index) {
+    if (index < 9) return "  (" + std::to_string(index + 1) + ")";
+    return index < 18 ? "  (Shift + " + std::to_string(index - 8) + ")" : "";
+}
+
 }  // namespace
 
 void draw_tool_column(Desk& desk, const Box& box) {
-    const float size = points(44);
+    // Many tools in a low window: smaller buttons, so that all are there.
+    const auto count = static_cast<float>(tools().size());
+    const float room = (static_cast<float>(box.height) - points(20)) / count;
+    const float gap = std::min(ImGui::GetStyle().ItemSpacing.y, room * 0.15f);
+    const float size = std::clamp(room - gap, points(18), points(44));
     const float pad = (static_cast<float>(box.width) - size) / 2;
     begin_panel("tools", box, pad, points(10));
-    Brush& brush = desk.session.brush();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, gap));
+    const Brush& brush = desk.session.brush();
     for (std::size_t i = 0; i < tools().size(); ++i) {
         const ToolInfo& tool = tools()[i];
-        if (tool_button(tool, kIcons[i % kIcons.size()], size, brush.tool == tool.tool)) desk.choose_tool(i);
-        tooltip(tool.tooltip, capitalised(tool.name) + "  (" + std::to_string(i + 1) + ")");
+        if (tool_button(tool, icon_of(tool.name), size, brush.tool == tool.tool)) desk.choose_tool(i);
+        tooltip(tool.tooltip, capitalised(tool.name) + key_of(i));
     }
+    ImGui::PopStyleVar();
     ImGui::End();
 }
 

@@ -71,6 +71,7 @@ void file_menu(Desk& desk) {
     if (ImGui::MenuItem("Revert", nullptr, false, desk.session.unsaved())) desk.revert();
     tooltip("To what was last saved or loaded, by undo; redo goes back.");
     ImGui::Separator();
+    item("Save the picture...", nullptr, Dialog::save_picture);
     if (ImGui::MenuItem("Screenshot", "F12")) desk.view.screenshot_wanted = true;
     scale_menu(desk);
     if (ImGui::MenuItem("Quit", "Ctrl+Q")) desk.leave({});

@@ -67,12 +67,30 @@ class Reader {
         }
     }
 
+    void number_lists(const char* key, std::size_t length,
+                      std::map<std::string, std::vector<double>>& value) {
+        const auto found = root_.find(key);
+        if (found == root_.end()) return;
+        if (!found->is_object()) return warn(std::string(key) + ": must be an object");
+        for (const auto& [name, list] : found->items()) {
+            const bool fits =
+                list.is_array() && list.size() == length &&
+                std::all_of(list.begin(), list.end(), [](const json& item) { return item.is_number(); });
+            if (fits)
+                value[name] = list.get<std::vector<double>>();
+            else
+                warn(std::string(key) + "." + name + ": must be a list of " + std::to_string(length) +
+                     " numbers");
+        }
+    }
+
   private:
     const json& root_;
     std::string* warning_;
 };
 
 constexpr int kMostPixels = 32768;
+constexpr std::size_t kCameraNumbers = 10;
 
 Preferences read_from(const json& root, std::string* warning) {
     Preferences p;
@@ -83,6 +101,7 @@ Preferences read_from(const json& root, std::string* warning) {
     reader.number("interface_scale", 0.0, 4.0, p.interface_scale);
     reader.number("side_width", 0.0, double(kMostPixels), p.side_width);
     reader.boolean("first_hint_seen", p.first_hint_seen);
+    reader.number_lists("cameras", kCameraNumbers, p.cameras);
     return p;
 }
 
@@ -94,6 +113,7 @@ void write_to(const Preferences& p, json& root) {
     root["interface_scale"] = p.interface_scale;
     root["side_width"] = p.side_width;
     root["first_hint_seen"] = p.first_hint_seen;
+    root["cameras"] = p.cameras;
 }
 
 // An object, or null where the file is none.
@@ -155,6 +175,10 @@ void change_preferences(const std::function<void(Preferences&)>& change) {
     write_to(preferences, root);
     const std::string text = root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
     write_file_atomically(file, std::as_bytes(std::span(text)));
+}
+
+std::string camera_key(const fs::path& scene, int number) {
+    return std::to_string(number) + " " + fs::absolute(scene).lexically_normal().string();
 }
 
 void add_recent(Preferences& preferences, const fs::path& scene) {

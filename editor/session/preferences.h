@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct Preferences {
     double interface_scale = 0;                 // [0.5, 4]; 0: the display's
     double side_width = 0;                      // of the side panel, pixels; 0: the program's own choice
     bool first_hint_seen = false;
+    // Kept views: a number and the scene's absolute path, as camera_key() joins them; ten numbers each, as
+    // the setting `camera` (settings.h).
+    std::map<std::string, std::vector<double>> cameras;
     bool operator==(const Preferences&) const = default;
 };
 
@@ -32,6 +36,8 @@ Preferences load_preferences(std::string* warning = nullptr);
 // this version does not know are kept; a file that is no JSON is kept beside it as preferences.json.damaged.
 // Throws std::invalid_argument when the file cannot be written.
 void change_preferences(const std::function<void(Preferences&)>& change);
+
+std::string camera_key(const std::filesystem::path& scene, int number);
 
 // Puts the scene first among the recent ones.
 void add_recent(Preferences& preferences, const std::filesystem::path& scene);

@@ -293,6 +293,34 @@ def first_start_opens_the_sample_with_a_hint(case):
     case.editor.ended()
 
 
+def views_are_kept_and_drags_cancelled(case):
+    def camera():  # of several in a row the journal keeps the last
+        found = [op["value"] for op in operations(case.journal) if op["op"] == "set" and op["key"] == "camera"]
+        return found[-1] if found else None
+
+    editor = case.open(case.journal)
+    case.desktop.drag(STROKE[:8], button=2)
+    editor.screenshot()
+    kept = wait_for("the camera", camera)
+    case.desktop.key("ctrl+shift+2")
+    case.desktop.drag(STROKE[:12], button=2)
+    wait_for("another camera", lambda: camera() != kept)
+    case.desktop.key("ctrl+2")
+    wait_for("the view that was kept", lambda: camera() == kept)
+    # Esc gives back the view before the drag, though the button is still down.
+    case.desktop.drag(STROKE, button=2, before_release=lambda: case.desktop.key("Escape"))
+    editor.screenshot()
+    assert camera() == kept, "the cancelled drag moved the camera"
+    case.desktop.key("KP_5")
+    wait_for("nearly parallel lines of sight", lambda: camera()[9] == 2)
+    case.desktop.key("KP_5")
+    wait_for("the first field of view", lambda: camera()[9] == kept[9])
+    assert max(abs(a - b) for a, b in zip(camera(), kept)) < 1e-6, (camera(), kept)
+    assert not strokes(case.journal)
+    case.desktop.key("ctrl+q")
+    editor.ended()
+
+
 def new_map_export_and_revert(case):
     editor = case.open(case.journal)
     case.stroke(case.journal)
@@ -335,7 +363,7 @@ def main():
                               quit_asks_for_unsaved_work, resized_and_reopened, views_show_the_surface_each_in_its_way,
                               two_methods_side_by_side_while_sculpting, why_this_pixel_lists_its_ray,
                               first_start_opens_the_sample_with_a_hint,
-                              new_map_export_and_revert, no_display)}
+                              views_are_kept_and_drags_cancelled, new_map_export_and_revert, no_display)}
     parser = argparse.ArgumentParser()
     parser.add_argument("case", choices=cases)
     parser.add_argument("--relievo", required=True, type=os.path.abspath)

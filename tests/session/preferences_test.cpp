@@ -42,6 +42,7 @@ TEST_F(PreferencesFile, WhatIsChangedIsThereAtTheNextStart) {
         p.side_width = 333.5;
         p.first_hint_seen = true;
         add_recent(p, "/scenes/a b.json");
+        p.cameras[camera_key("/scenes/a b.json", 2)] = {1, 2, 3, 0.1, 0, 0, 0, 1, 0, 40};
         wanted = p;
     });
     EXPECT_EQ(load_preferences(), wanted);
@@ -65,6 +66,15 @@ TEST_F(PreferencesFile, AWrongValueIsNamedAndTheOthersCount) {
     EXPECT_TRUE(p.first_hint_seen);
     EXPECT_NE(warning.find("preferences.json: recent: must be a list of paths"), std::string::npos)
         << warning;
+}
+
+TEST_F(PreferencesFile, CamerasOfAnotherLengthAreLeftOut) {
+    write(R"({"cameras": {"1 /a.json": [1, 2], "2 /a.json": [1, 2, 3, 0, 0, 0, 0, 1, 0, 40], "3 /a.json": "x"}})");
+    std::string warning;
+    const Preferences p = load_preferences(&warning);
+    EXPECT_EQ(p.cameras.size(), 1u);
+    EXPECT_TRUE(p.cameras.contains("2 /a.json"));
+    EXPECT_NE(warning.find("cameras"), std::string::npos) << warning;
 }
 
 TEST_F(PreferencesFile, WildNumbersAreRefused) {

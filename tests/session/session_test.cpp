@@ -178,6 +178,20 @@ TEST(Session, SavedMapLoadsBackEqual) {
     }
 }
 
+TEST(Session, AnExportHoldsTheStatedRangeAndChangesNothing) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path()), headless());
+    sculpt(session, 1);
+    const auto before = session.map_path();
+    const std::filesystem::path exported = folder.path() / "exported.exr";
+    session.export_map(exported, MapFormat::exr_float, {-0.5, 1.5});
+    EXPECT_TRUE(session.unsaved());
+    EXPECT_EQ(session.map_path(), before);
+    EXPECT_EQ(load_map(exported, {-0.5, 1.5}).map.hash(), session.map().hash());
+    EXPECT_NE(load_map(exported, {0, 1}).map.hash(), session.map().hash());
+    EXPECT_THROW(session.export_map(exported, MapFormat::png16, {}), std::invalid_argument);
+}
+
 TEST(Session, ASceneWithoutAMapStartsFlat) {
     const TemporaryFolder folder;
     Session session(write_scene(folder.path(), true), headless());
