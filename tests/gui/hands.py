@@ -40,3 +40,4 @@ class Hands:
         self.key(name, False)
         for key in reversed(held):
             self.key(key, False)
+        time.sleep(0.004)  # GLFW takes two presses in one millisecond for one
