@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <thread>
 #include <utility>
 
@@ -242,8 +243,12 @@ void App::save_screenshot() {
     std::filesystem::path path;
     for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
         path = "relievo-screenshot-" + std::to_string(number) + ".png";
-    if (desk_.attempt([&] { write_png(path, screen_->screenshot()); }))
+    try {  // in a stroke, too, where the desk takes no commands
+        write_png(path, screen_->screenshot());
         toasts_.info("Saved " + std::filesystem::absolute(path).string());
+    } catch (const std::exception& trouble) {
+        toasts_.error(trouble.what());
+    }
 }
 
 }  // namespace relievo::gui

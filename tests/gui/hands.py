@@ -26,12 +26,12 @@ class Hands:
 
     def button(self, number, down):
         self.xtst.XTestFakeButtonEvent(self.display, number, int(down), 0)
-        self.x11.XFlush(self.display)
+        self.x11.XSync(self.display, 0)  # before any other program's events
 
     def key(self, name, down):
         code = self.x11.XKeysymToKeycode(self.display, ctypes.c_ulong(self.x11.XStringToKeysym(name.encode())))
         self.xtst.XTestFakeKeyEvent(self.display, code, int(down), 0)
-        self.x11.XFlush(self.display)
+        self.x11.XSync(self.display, 0)
 
     def tap(self, name, held=()):
         for key in held:

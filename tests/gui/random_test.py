@@ -1,7 +1,7 @@
 """Random keys, clicks, drags and resizes in the real window: it neither crashes nor gets a message from the validation
 layers, undo leads back to the first map, the journal replays to the same bytes, and memory stays in bounds.
 
-Dialogs that write files are opened and left by Esc only, so that a random click never replaces anyone's file.
+Dialogs that write files are opened and left by Esc only, so that nothing random ever replaces anyone's file.
 """
 import argparse
 import os
@@ -15,7 +15,7 @@ from desktop import Desktop, Editor, operations
 from hands import Hands
 
 SIZE = (1000, 640)
-KEYS = ("1 2 3 4 5 6 7 8 9 bracketleft bracketright f x y z a KP_1 KP_3 KP_5 KP_7 v v c F2 Tab Escape Return space "
+KEYS = ("1 2 3 4 5 6 7 8 9 bracketleft bracketright f x y z a KP_1 KP_3 KP_5 KP_7 v v c F2 Tab Escape space "
         "BackSpace Left Right Up Down").split()
 HELD = ([], [], ["Shift_L"], ["Control_L"], ["Alt_L"], ["Control_L", "Shift_L"])
 EDITS = [("z", ["Control_L"]), ("z", ["Control_L", "Shift_L"]), ("y", ["Control_L"]), ("s", ["Control_L"])]
@@ -61,6 +61,9 @@ class Monkey:
             self.hands.key(key, False)
 
     def drag(self, cancel=False):
+        if self.random.random() < 0.3:
+            self.hands.tap("a")  # else the object is soon out of sight
+
         def act():
             self.hands.move(*(self.over_picture() if self.random.random() < 0.8 else self.place()))
             button = self.random.choices((1, 2, 3), (8, 1, 1))[0]
@@ -110,7 +113,8 @@ class Monkey:
         """Out of every dialog, menu, drag and text field."""
         for _ in range(3):
             self.hands.tap("Escape")
-            self.editor.screenshot()
+            time.sleep(0.1)
+        self.editor.screenshot()
 
 
 def undo_all(monkey, journal):
