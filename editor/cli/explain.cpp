@@ -67,7 +67,9 @@ std::string method_line(const Subject& subject) {
     for (const MethodParameter& parameter : subject.method.parameters) {
         const double value = subject.parameters.at(std::string(parameter.name));
         line += before + std::string(parameter.name) + " " +
-                (parameter.is_switch ? (value > 0.5 ? "on" : "off") : number_text(value));
+                (parameter.is_switch        ? (value > 0.5 ? "on" : "off")
+                 : parameter.names.empty() ? number_text(value)
+                                           : std::string(parameter.names[static_cast<std::size_t>(value)]));
         before = ", ";
     }
     return line;

@@ -35,7 +35,9 @@ std::pair<std::string, double> parse_parameter(const std::string& text) {
     const auto equals = text.find('=');
     const std::string word = equals == std::string::npos ? "" : text.substr(equals + 1);
     double value = 0;
-    if (word == "true" || word == "on") {
+    if (const auto named = named_value(text.substr(0, equals), word)) {
+        value = *named;
+    } else if (word == "true" || word == "on") {
         value = 1;
     } else if (word != "false" && word != "off" && (!parse_whole(word, value) || !std::isfinite(value))) {
         throw std::invalid_argument("--set: is \"" + text + "\", must be PARAM=NUMBER, like dt=0.002");

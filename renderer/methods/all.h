@@ -5,7 +5,8 @@
 
 #define RELIEVO_METHODS(METHOD) \
     METHOD(kExact)              \
-    METHOD(kPdm)
+    METHOD(kPdm)                \
+    METHOD(kDbvh)
 
 namespace relievo {
 

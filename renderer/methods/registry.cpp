@@ -21,6 +21,13 @@ std::string number(double value) {
     return text.str();
 }
 
+std::string known_names(const MethodParameter& p) {
+    std::string text;
+    for (std::size_t i = 0; i < p.names.size(); ++i)
+        text += (i == 0 ? "" : ", ") + std::to_string(i) + " (" + std::string(p.names[i]) + ")";
+    return text;
+}
+
 const MethodParameter& find_parameter(const Method& method, const std::string& name) {
     std::string known;
     for (const MethodParameter& p : method.parameters) {
@@ -45,17 +52,27 @@ const Method& find_method(std::string_view name) {
     throw std::invalid_argument("there is no method '" + std::string(name) + "'; methods: " + known);
 }
 
+std::optional<double> named_value(std::string_view parameter, std::string_view word) {
+    for (const Method* m : kMethods)
+        for (const MethodParameter& p : m->parameters)
+            for (std::size_t i = 0; p.name == parameter && i < p.names.size(); ++i)
+                if (p.names[i] == word) return static_cast<double>(i);
+    return std::nullopt;
+}
+
 std::map<std::string, double> resolve_parameters(const Method& method, const std::map<std::string, double>& given) {
     std::map<std::string, double> result;
     for (const MethodParameter& p : method.parameters) result[std::string(p.name)] = p.standard;
     for (const auto& [name, value] : given) {
         const MethodParameter& p = find_parameter(method, name);
         const bool fits = std::isfinite(value) && value >= p.low && value <= p.high &&
-                          (!p.is_switch || value == 0 || value == 1);
+                          (!p.is_switch || value == 0 || value == 1) &&
+                          (p.names.empty() || value == std::floor(value));
         if (!fits) {
             throw std::invalid_argument("method parameter '" + name + "' is " + number(value) + ", must be " +
-                                        (p.is_switch ? "0 or 1"
-                                                     : "in [" + number(p.low) + ", " + number(p.high) + "]"));
+                                        (p.is_switch      ? "0 or 1"
+                                         : !p.names.empty() ? known_names(p)
+                                                            : "in [" + number(p.low) + ", " + number(p.high) + "]"));
         }
         result[name] = value;
     }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@ struct MethodParameter {
     bool is_switch = false;  // 0 or 1
     // What trades error against time: the values that `compare` tries, coarse and quick ones first. Empty: left as it is.
     std::span<const double> sweep{};
+    std::span<const std::string_view> names{};  // of the values 0, 1, ...; empty: a number
 };
 
 // Which boxes and per-triangle data a method's rays meet.
@@ -32,6 +34,8 @@ struct Method {
 std::span<const Method* const> methods();  // the first is the default
 // Throws std::invalid_argument that lists the known names.
 const Method& find_method(std::string_view name);
+// The value that a method's parameter calls `word`; nothing where no method knows it.
+std::optional<double> named_value(std::string_view parameter, std::string_view word);
 // Every parameter, defaults filled in. std::invalid_argument on an unknown name or a value out of range.
 std::map<std::string, double> resolve_parameters(const Method& method, const std::map<std::string, double>& given);
 

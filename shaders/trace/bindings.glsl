@@ -78,6 +78,7 @@ vec2 map_bounds(uint object, int level, vec2 cell) {
 #include "../geometry/surface.glsl"
 #include "../geometry/prism.glsl"
 #include "../geometry/shell.glsl"
+#include "../geometry/edges.glsl"
 
 // Texture coordinates of a hit, in the map's own [0, 1) period where it repeats.
 vec2 uv_at(Primitive p, vec2 b) {
@@ -88,6 +89,9 @@ vec2 uv_at(Primitive p, vec2 b) {
     vec2 texel = primitive_base(p) + texel_at(p, b) + 0.5;
     return texel / vec2(object_data(p.object).map_size);
 }
+
+// World units that a pixel is wide at distance 1.
+float pixel_spread() { return 2.0 * length(frame.right) / float(frame.size.x); }
 
 // Under 0.5 the surface has a hole.
 bool opaque_at(Primitive p, vec2 b) {

@@ -1,0 +1,129 @@
+// Boxes of the displaced surface over squares of texture space, by affine arithmetic (thesis 000, section 4.2.4).
+//
+// Over a square the base point P and the normal N are affine in the texel coordinates, without error. Of |N| its square's
+// bounds are taken (equation 2.6) and the root of those (2.7); the displacement comes from the min-max pyramid (4.16).
+// Deviations from the thesis:
+//  - D/|N| is bounded as one interval and multiplied into N, so that N's direction counts once, not as a product of two
+//    ranges (4.17);
+//  - squares are clipped to the triangle's texture footprint before they are bounded;
+//  - boxes lie along the triangle's own axes: over a flat triangle they are as high as the map's range, not as the slope;
+//  - a margin pays for rounding: without it neighbouring boxes touch at best, and rays pass between them;
+//  - triangles without area in texture space are given kLeastWidth texels of it.
+#ifndef RELIEVO_DBVH_BOX_GLSL
+#define RELIEVO_DBVH_BOX_GLSL
+
+const float kLeastWidth = 0.015625f;  // texels
+const float kLeastLength = 0.05f;     // of N: below, it is taken to point anywhere
+
+// The base triangle over texture space. Texel coordinates x here are relative to vertex 0's, places to the triangle's
+// frame (shared.h).
+struct Domain {
+    vec3 px, py;         // the base point per texel, 0 at x = 0
+    vec3 n0, nx, ny;     // the interpolated normal, not normalised
+    vec2 bx, by;         // barycentrics of vertices 1 and 2 per texel
+    vec2 t0, t1, t2;     // vertex 0 relative to the primitive's base; edges to vertices 1 and 2
+    vec2 low, high;      // footprint
+    vec3 e2, m1, m2;     // P = (q1x, 0, 0) b.x + e2 b.y; N = n0 + m1 b.x + m2 b.y
+    float q1x;
+    float margin;        // world units: what rounding may do to a box
+};
+
+struct DisplacedBox {
+    vec3 low, high;  // the triangle's frame
+    float turn;      // how far the normals over the square may turn, radians
+};
+
+FUNC vec3 in_frame(Primitive p, vec3 v) {
+    return vec3(dot(v, p.tangent), dot(v, frame_bitangent(p)), dot(v, p.ng));
+}
+
+// Edges in texture space, opened where they enclose no area.
+FUNC void open_edges(INOUT(vec2) t1, INOUT(vec2) t2) {
+    float l1 = length(t1), l2 = length(t2), l3 = length(t2 - t1), longest = max(max(l1, l2), l3);
+    if (abs(cross2(t1, t2)) >= kLeastWidth * longest && longest > kLeastWidth) return;
+    if (!(longest > kLeastWidth)) {
+        t1 = vec2(kLeastWidth, 0.0f);
+        t2 = vec2(0.0f, kLeastWidth);
+        return;
+    }
+    vec2 along = (l1 == longest ? t1 : (l2 == longest ? t2 : t2 - t1)) / longest;
+    float width = cross2(t1, t2) < 0.0f ? -kLeastWidth : kLeastWidth;
+    vec2 aside = vec2(-along.y, along.x) * (2.0f * width);
+    if (l1 == longest) t2 = t2 + aside;
+    else if (l2 == longest) t1 = t1 - aside;
+    else { t1 = t1 + aside; t2 = t2 + aside; }
+}
+
+FUNC Domain make_domain(Primitive p, PrimitiveNormals n, float most_displacement, float rounding) {
+    Domain g;
+    g.t0 = p.tx0;
+    g.t1 = p.tx1 - p.tx0;
+    g.t2 = p.tx2 - p.tx0;
+    open_edges(g.t1, g.t2);
+    float inverse = 1.0f / cross2(g.t1, g.t2);
+    g.bx = vec2(g.t2.y, -g.t1.y) * inverse;
+    g.by = vec2(-g.t2.x, g.t1.x) * inverse;
+    g.q1x = p.q1x;
+    g.e2 = vec3(p.q2, 0.0f);
+    g.n0 = in_frame(p, n.n0);
+    g.m1 = in_frame(p, n.n1) - g.n0;
+    g.m2 = in_frame(p, n.n2) - g.n0;
+    vec3 e1 = vec3(p.q1x, 0.0f, 0.0f);
+    g.px = e1 * g.bx.x + g.e2 * g.bx.y;
+    g.py = e1 * g.by.x + g.e2 * g.by.y;
+    g.nx = g.m1 * g.bx.x + g.m2 * g.bx.y;
+    g.ny = g.m1 * g.by.x + g.m2 * g.by.y;
+    vec2 low = min(min(g.t1, g.t2), vec2(0.0f)), high = max(max(g.t1, g.t2), vec2(0.0f)), extent = high - low;
+    // Neighbours overlap a little, and texel coordinates are rounded.
+    vec2 slack = extent * 2e-5f + max(abs(p.tx0), extent) * 4e-7f;
+    g.low = low - slack;
+    g.high = high + slack;
+    float lever = (length(g.px) + most_displacement * length(g.nx)) * extent.x +
+                  (length(g.py) + most_displacement * length(g.ny)) * extent.y;
+    float placed = (length(g.px) + length(g.py)) * 4e-7f * max(abs(p.tx0.x), abs(p.tx0.y));
+    g.margin = rounding + 1e-6f * (lever + most_displacement) + placed;
+    return g;
+}
+
+FUNC vec2 barycentrics_at(Domain g, vec2 x) { return g.bx * x.x + g.by * x.y; }
+
+// Whether the rectangle of texel coordinates lies beyond one of the triangle's edges (section 4.2.7, in place of the GJK
+// test): the greatest value of a barycentric, affine over it, is below -slack. What lies beyond the footprint has been
+// clipped away.
+FUNC bool outside_triangle(Domain g, vec2 middle, vec2 half_size, float slack) {
+    vec2 b = barycentrics_at(g, middle);
+    vec2 reach = abs(g.bx) * half_size.x + abs(g.by) * half_size.y;
+    float reach0 = abs(g.bx.x + g.bx.y) * half_size.x + abs(g.by.x + g.by.y) * half_size.y;
+    return b.x + reach.x < -slack || b.y + reach.y < -slack || 1.0f - b.x - b.y + reach0 < -slack;
+}
+
+// Box of S over the rectangle where the displacement lies between d.x and d.y.
+FUNC DisplacedBox displaced_box(Domain g, vec2 middle, vec2 half_size, vec2 d) {
+    vec3 p = g.px * middle.x + g.py * middle.y, pu = g.px * half_size.x, pv = g.py * half_size.y;
+    vec3 n = g.n0 + g.nx * middle.x + g.ny * middle.y, nu = g.nx * half_size.x, nv = g.ny * half_size.y;
+    // |N|^2, equation 2.6; its square term is not negative, and within the triangle |N| <= 1.
+    vec3 spread = abs(nu) + abs(nv);
+    float centre = dot(n, n), linear = 2.0f * (abs(dot(n, nu)) + abs(dot(n, nv)));
+    float shortest = (centre - linear) * 0.99999f, longest = min(centre + linear + dot(spread, spread), 1.0f) * 1.00001f;
+    DisplacedBox box;
+    box.turn = 10.0f;
+    if (shortest > kLeastLength * kLeastLength) {
+        longest = max(longest, shortest);
+        // D/|N|, and its product with N.
+        float i0 = inversesqrt(longest), i1 = inversesqrt(shortest);
+        float g0 = d.x * (d.x > 0.0f ? i0 : i1), g1 = d.y * (d.y > 0.0f ? i1 : i0);
+        float scale = 0.5f * (g0 + g1), radius = 0.5f * (g1 - g0);
+        vec3 s = p + n * scale;
+        vec3 reach = abs(pu + nu * scale) + abs(pv + nv * scale) + (abs(n) + spread) * radius + vec3(g.margin);
+        box.low = s - reach;
+        box.high = s + reach;
+        box.turn = 2.0f * length(spread) * i1;
+    } else {
+        vec3 reach = abs(pu) + abs(pv) + vec3(max(abs(d.x), abs(d.y)) + g.margin);
+        box.low = p - reach;
+        box.high = p + reach;
+    }
+    return box;
+}
+
+#endif

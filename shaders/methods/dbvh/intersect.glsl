@@ -1,0 +1,212 @@
+// Displacement BVH (thesis 000, section 4.2, after tessellation-free displacement mapping, Thonat and others 2021).
+//
+// The texture's squares over the triangle are the nodes of a tree that is never stored: a node's box is made on the fly from
+// its height bounds (box.glsl), its children are its quarters, its parent is found by shifting its place: down, next and up
+// need no stack. Up to four neighbouring squares as large as the footprint are the roots. Squares beyond the triangle's
+// edges are dropped before a box is made. Where the target level of detail is reached, the box itself is the hit, or a
+// local surface (leaf.glsl) is met.
+//
+// Deviations from the thesis, beside those of box.glsl and leaf.glsl:
+//  - squares lie between texel centres, where S's heights are bilinear, in place of texels;
+//  - the four roots are the children of one square that is not tested, so that one walk visits them all;
+//  - children are visited in the order of the ray: their places are mirrored so that the nearest is the first;
+//  - any map size and wrap: bounds come from nodes that overlap (map_bounds), so that squares need not fit the map's own;
+//  - where Newton cannot tell whether a leaf is met once, the walk goes on below it, down to kSubLevels further;
+//  - without a level of detail of its own, a square that looks smaller than a pixel is met as its box (by_pixel).
+// The holes that the thesis shows at high quality had two causes: boxes without a margin, which rays pass between by
+// rounding, and leaves that differ between neighbours along base edges (leaf.glsl).
+//
+// Parameters: x: leaf (kLeaf*), y: level of detail (a leaf is 2^y texels wide), z: by_pixel, w: correct_normals.
+#include "box.glsl"
+#include "leaf.glsl"
+
+const int kMaxBoxes = 32768;      // a triangle: beyond, the best of what was found counts
+const int kMostDepth = 28;        // of the tree
+const int kSubLevels = 8;         // below the leaf
+const float kLeafTurn = 0.15f;    // radians that normals may turn over a leaf that is solved
+const float kLeastBox = 1e-4f;    // size of a box that is not divided below the leaf, of the greatest displacement
+
+// Least and greatest map value over a square of 2^level texels, level > leaf level, or the leaf's by map_bounds for B-splines.
+FUNC vec2 square_values(Primitive p, ObjectData ob, float leaf, int leaf_level, vec2 square, int level) {
+    vec2 cell = primitive_base(p.base) + square;
+    if (leaf == kLeafBspline) {
+        // Control points lie up to a leaf further out.
+        int reached = level > leaf_level ? level + 1 : level + 2;
+        return reached <= kPyramidLevels ? map_bounds(p.object, reached, cell - vec2(power_of_two(leaf_level))) : vec2(0.0f, 1.0f);
+    }
+    // A square that lies on nodes half as large is two by two of them exactly.
+    int half_mask = level > 1 ? (1 << (level - 1)) - 1 : -1;
+    bool on_nodes = level > 1 && (ob.clamp_wrap != 0u || ((ob.map_size.x | ob.map_size.y) & half_mask) == 0);
+    int taken = on_nodes ? level - 1 : max(level, 1);
+    return taken <= kPyramidLevels ? map_bounds(p.object, taken, cell) : vec2(0.0f, 1.0f);
+}
+
+// The same over the part from f0 to f1 of a leaf's square.
+FUNC vec2 leaf_values(Primitive p, float leaf, vec2 square, float stride, vec2 f0, vec2 f1) {
+    vec2 bounds = vec2(1e30f, -1e30f);
+    if (leaf == kLeafBox || leaf == kLeafBilinear) {
+        return piece_bounds(make_piece(p, kLeafBilinear, square, stride, 0), f0, f1);
+    }
+    for (int i = 0; i < piece_count(leaf); ++i) {
+        vec2 of = piece_bounds(make_piece(p, leaf, square, stride, i), f0, f1);
+        bounds = vec2(min(bounds.x, of.x), max(bounds.y, of.y));
+    }
+    return bounds;
+}
+
+// As displacements, within the triangle's own range.
+FUNC vec2 displacement_range(Primitive p, ObjectData ob, vec2 values) {
+    float d0 = displacement(ob, values.x), d1 = displacement(ob, values.y);
+    vec2 d = vec2(max(min(d0, d1), p.w_low), min(max(d0, d1), p.w_high));
+    return d.x <= d.y ? d : vec2(p.w_low, p.w_high);
+}
+
+struct Walk {        // where the walk through a triangle's squares is
+    ivec2 at;        // among the squares of its level, mirrored into the ray's order
+    int level;       // log2 of the square's texels
+    int top;         // of the square over the four roots
+    vec2 corner;     // of that square, texels relative to the primitive's base
+    ivec2 mirror;    // -1 where the order along an axis is turned round
+};
+
+FUNC Walk start_walk(Primitive p, Domain g, vec3 d, int leaf_level) {
+    Walk w;
+    vec2 extent = g.high - g.low, base = primitive_base(p.base);
+    int root = max(int(ceil(log2(max(max(extent.x, extent.y), 1.0f)))), leaf_level);
+    float size = power_of_two(root);
+    w.at = ivec2(0, 0);
+    w.level = root + 1;
+    w.top = root + 1;
+    w.corner = floor((base + g.t0 + g.low) / size) * size - base;
+    w.mirror = ivec2(dot(g.px, d) < 0.0f ? -1 : 0, dot(g.py, d) < 0.0f ? -1 : 0);
+    return w;
+}
+
+FUNC vec2 square_of(Walk w) {
+    int last = (1 << (w.top - w.level)) - 1;
+    return w.corner + vec2((w.at ^ w.mirror) & last) * power_of_two(w.level);
+}
+
+FUNC void go_down(INOUT(Walk) w) {
+    w.at = w.at << 1;
+    --w.level;
+}
+
+// The next square, after as many steps up as it takes. False at the end.
+FUNC bool go_next(INOUT(Walk) w) {
+    int up = findLSB(~(w.at.x & w.at.y));  // the last of their parents' four
+    w.at = w.at >> up;
+    w.level += up;
+    if (w.level >= w.top) return false;
+    if ((w.at.x & 1) == 0) {
+        w.at.x = w.at.x | 1;
+    } else {
+        w.at.x = w.at.x ^ 1;
+        w.at.y = w.at.y | 1;
+    }
+    return true;
+}
+
+// Where the ray enters the box, and leaves it.
+FUNC vec2 box_span(DisplacedBox box, vec3 o, vec3 inverse) {
+    vec3 a = (box.low - o) * inverse, b = (box.high - o) * inverse, near = min(a, b), far = max(a, b);
+    return vec2(max(max(near.x, near.y), near.z), min(min(far.x, far.y), far.z));
+}
+
+struct DbvhRay {
+    vec3 o, d, inverse;  // in the triangle's frame, from t0 on
+    float t0, t_min, rounding;
+    vec3 margin;         // barycentric, of the edges
+};
+
+FUNC void take_hit(Primitive p, vec2 b, float t, INOUT(bool) found, INOUT(SurfaceHit) hit) {
+    if (t > hit.t || !opaque_at(p, b)) return;
+    note(kNoteRoot, t, texel_at(p, b), 0.0f, 0.0f);
+    hit.t = t;
+    hit.b = b;
+    found = true;
+}
+
+// Meets the leaf's pieces over the rectangle. False where there may be a hit that was not found.
+FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, float leaf, vec2 square, float stride, vec2 middle,
+                    vec2 half_size, INOUT(bool) found, INOUT(SurfaceHit) hit) {
+    bool decided = true;
+    vec2 f0 = (g.t0 + middle - half_size - square) / stride, f1 = (g.t0 + middle + half_size - square) / stride;
+    for (int i = 0; i < piece_count(leaf); ++i) {
+        if (leaf == kLeafBspline) {
+            vec2 corner = vec2(float(i & 1), float(i >> 1)) * 0.5f;
+            if (f1.x < corner.x || f1.y < corner.y || f0.x > corner.x + 0.5f || f0.y > corner.y + 0.5f) continue;
+        }
+        if (leaf == kLeafTriangles && (i == 0 ? f0.x + f0.y > 1.001f : f1.x + f1.y < 0.999f)) continue;
+        Piece e = make_piece(p, leaf, square, stride, i);
+        LeafRoot root = solve_piece(g, ob, e, middle, half_size, r.o, r.d, r.rounding);
+        float t = r.t0 + root.t;
+        note(kNoteCell, t, square, 0.0f, t);
+        decided = decided && root.decided;
+        if (root.inside && t >= r.t_min && within_edges(root.b, r.margin)) take_hit(p, root.b, t, found, hit);
+    }
+    return decided;
+}
+
+FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o, vec3 d, float t_min, float t_max,
+                            float random, OUT(SurfaceHit) hit) {
+    float leaf = parameters.x, most = max(abs(p.w_low), abs(p.w_high));
+    int leaf_level = int(parameters.y);
+    float stride = power_of_two(leaf_level), pixel = parameters.z > 0.5f ? pixel_spread() : 0.0f;
+    DbvhRay r;
+    r.rounding = ray_rounding(p, o);
+    r.margin = edge_margins(p, r.rounding);
+    r.t_min = t_min;
+    r.t0 = dot(p.origin - o, d);
+    r.o = in_frame(p, o + d * r.t0 - p.origin);
+    r.d = in_frame(p, d);
+    r.inverse = vec3(1.0f) / vec3(abs(r.d.x) < 1e-20f ? 1e-20f : r.d.x, abs(r.d.y) < 1e-20f ? 1e-20f : r.d.y,
+                                  abs(r.d.z) < 1e-20f ? 1e-20f : r.d.z);
+    Domain g = make_domain(p, primitive_normals(), most, r.rounding);
+    Walk w = start_walk(p, g, r.d, leaf_level);
+    int lowest = max(leaf_level - kSubLevels, w.top - kMostDepth);
+    float least = kLeastBox * most + 2.0f * g.margin, enough = r.rounding + 1e-7f * (most + p.q1x);
+    bool found = false, down = true;
+    hit.t = t_max;
+    hit.b = vec2(0.0f, 0.0f);
+    for (int i = 0; i < kMaxBoxes; ++i) {
+        if (down) go_down(w);
+        else if (!go_next(w)) break;
+        down = false;
+        vec2 square = square_of(w);
+        float size = power_of_two(w.level);
+        vec2 low = max(square - g.t0, g.low), high = min(square - g.t0 + vec2(size), g.high);
+        if (!(low.x <= high.x && low.y <= high.y)) continue;
+        vec2 middle = 0.5f * (low + high), half_size = 0.5f * (high - low);
+        if (outside_triangle(g, middle, half_size, 2.0f * r.margin.x + 2e-6f)) continue;
+        vec2 of_leaf = w.level < leaf_level ? floor((primitive_base(p.base) + square) / stride) * stride - primitive_base(p.base) : square;
+        bool by_pieces = w.level < leaf_level || (w.level == leaf_level && leaf != kLeafBspline);
+        vec2 values = by_pieces ? leaf_values(p, leaf, of_leaf, stride, (g.t0 + low - of_leaf) / stride, (g.t0 + high - of_leaf) / stride)
+                                : square_values(p, ob, leaf, leaf_level, square, w.level);
+        DisplacedBox box = displaced_box(g, middle, half_size, displacement_range(p, ob, values));
+        vec2 span = box_span(box, r.o, r.inverse);
+        note(kNoteStep, r.t0 + span.x, square, 0.0f, size);
+        if (!(span.x <= span.y && r.t0 + span.y >= t_min && r.t0 + span.x <= hit.t)) continue;
+        vec3 extent = box.high - box.low;
+        float largest = max(max(extent.x, extent.y), extent.z);
+        // Below a pixel, or by choice, the box is the surface; a ray that starts in it leaves it.
+        if ((w.level <= leaf_level && leaf == kLeafBox) || largest <= pixel * (r.t0 + span.x)) {
+            vec2 b = max(barycentrics_at(g, middle), vec2(0.0f));
+            if (r.t0 + span.x >= t_min) take_hit(p, b / max(b.x + b.y, 1.0f), r.t0 + span.x, found, hit);
+            continue;
+        }
+        if (w.level > leaf_level) {
+            down = true;
+            continue;
+        }
+        bool last = w.level <= lowest || largest <= least;
+        down = !last;
+        if (last || box.turn <= kLeafTurn)
+            down = !meet_leaf(p, ob, g, r, leaf, of_leaf, stride, middle, half_size, found, hit) && !last;
+    }
+    return found;
+}
+
+FUNC vec3 shading_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec4 parameters, vec2 b) {
+    return displaced_normal(p, n, ob, b, parameters.w > 0.5f);
+}

@@ -1,0 +1,166 @@
+// The surface at a leaf: S with heights interpolated between every 2^level-th texel, linearly over two triangles a square,
+// bilinearly, or as a biquadratic B-spline (thesis 000, section 4.2.5), met by Newton.
+//
+// Deviation: the thesis makes micro-triangles and patches between displaced corners, which lie beyond the triangle where
+// the square reaches over its edge, and so differ between neighbours: its holes along base edges. Here a leaf only says
+// what the height is; base point and normal stay those of S, so neighbours agree along their edge.
+#ifndef RELIEVO_DBVH_LEAF_GLSL
+#define RELIEVO_DBVH_LEAF_GLSL
+
+const float kLeafBox = 0.0f, kLeafTriangles = 1.0f, kLeafBilinear = 2.0f, kLeafBspline = 3.0f;
+const int kLeafSteps = 8;           // of Newton
+const float kSameSheet = 0.4f;      // the Jacobian's determinant keeps this part of itself where one root stands alone
+const float kPieceBorder = 1e-3f;   // squares that a root may lie outside its piece
+
+// A piece of the height: biquadratic in f, which goes from 0 to 1 over a square of `stride` texels at `origin`.
+struct Piece {
+    vec3 c0, c1, c2;   // polynomials in f.y of the powers of f.x, map values
+    vec2 origin;       // texels relative to the primitive's base
+    float stride;      // texels
+    vec2 low, high;    // where it holds, in f
+    float half_plane;  // triangles: f.x + f.y <= 1 (-1), >= 1 (1), or all (0)
+};
+
+FUNC int piece_count(float leaf) { return leaf == kLeafBspline ? 4 : (leaf == kLeafTriangles ? 2 : 1); }
+
+// Map values at the corners of a square of `stride` texels.
+FUNC vec4 corner_values(uint object, vec2 texel, float stride) {
+    if (stride == 1.0f) return height_quad(object, texel);
+    vec2 x = vec2(stride, 0.0f), y = vec2(0.0f, stride);
+    return vec4(height_quad(object, texel).x, height_quad(object, texel + x).x, height_quad(object, texel + y).x,
+                height_quad(object, texel + x + y).x);
+}
+
+// Coefficients of a uniform quadratic B-spline's segment from three control points, each a polynomial of its own.
+FUNC void bspline_segment(vec3 a, vec3 b, vec3 c, OUT(vec3) c0, OUT(vec3) c1, OUT(vec3) c2) {
+    c0 = (a + b) * 0.5f;
+    c1 = b - a;
+    c2 = (a + c) * 0.5f - b;
+}
+
+FUNC Piece make_piece(Primitive p, float leaf, vec2 square, float stride, int index) {
+    Piece e;
+    vec2 base = primitive_base(p.base);
+    e.stride = stride;
+    e.origin = square;
+    e.low = vec2(0.0f);
+    e.high = vec2(1.0f);
+    e.half_plane = 0.0f;
+    if (leaf == kLeafBspline) {
+        // Around one texel, from half a square before it to half a square after: the part within this square.
+        vec2 corner = vec2(float(index & 1), float(index >> 1)), texel = base + square + corner * stride, s = vec2(stride);
+        vec4 q0 = corner_values(p.object, texel - s, stride), q1 = corner_values(p.object, texel - vec2(0.0f, stride), stride),
+             q2 = corner_values(p.object, texel - vec2(stride, 0.0f), stride), q3 = corner_values(p.object, texel, stride);
+        vec3 a0, a1, a2;
+        bspline_segment(vec3(q0.x, q0.y, q1.y), vec3(q0.z, q0.w, q1.w), vec3(q2.z, q2.w, q3.w), a0, a1, a2);
+        // a_k: the power k of f.y, for the three columns. Across them likewise.
+        bspline_segment(vec3(a0.x, a1.x, a2.x), vec3(a0.y, a1.y, a2.y), vec3(a0.z, a1.z, a2.z), e.c0, e.c1, e.c2);
+        e.origin = square + (corner - vec2(0.5f)) * stride;
+        e.low = vec2(0.5f) - 0.5f * corner;
+        e.high = e.low + vec2(0.5f);
+        return e;
+    }
+    vec4 q = corner_values(p.object, base + square, stride);
+    e.c2 = vec3(0.0f);
+    if (leaf == kLeafTriangles && index == 0) {
+        e.c0 = vec3(q.x, q.z - q.x, 0.0f);
+        e.c1 = vec3(q.y - q.x, 0.0f, 0.0f);
+        e.half_plane = -1.0f;
+    } else if (leaf == kLeafTriangles) {
+        e.c0 = vec3(q.y + q.z - q.w, q.w - q.y, 0.0f);
+        e.c1 = vec3(q.w - q.z, 0.0f, 0.0f);
+        e.half_plane = 1.0f;
+    } else {
+        e.c0 = vec3(q.x, q.z - q.x, 0.0f);
+        e.c1 = vec3(q.y - q.x, q.x - q.y - q.z + q.w, 0.0f);
+    }
+    return e;
+}
+
+FUNC float piece_value(Piece e, vec2 f) {
+    return quadratic(e.c0, f.y) + f.x * (quadratic(e.c1, f.y) + f.x * quadratic(e.c2, f.y));
+}
+
+// Per texel.
+FUNC vec2 piece_gradient(Piece e, vec2 f) {
+    float by_x = quadratic(e.c1, f.y) + 2.0f * f.x * quadratic(e.c2, f.y);
+    float y0 = e.c0.y + 2.0f * e.c0.z * f.y, y1 = e.c1.y + 2.0f * e.c1.z * f.y, y2 = e.c2.y + 2.0f * e.c2.z * f.y;
+    return vec2(by_x, y0 + f.x * (y1 + f.x * y2)) / e.stride;
+}
+
+FUNC bool in_piece(Piece e, vec2 f, float slack) {
+    return min(f.x - e.low.x, f.y - e.low.y) >= -slack && min(e.high.x - f.x, e.high.y - f.y) >= -slack &&
+           (f.x + f.y - 1.0f) * e.half_plane >= -slack;
+}
+
+// Least and greatest map value that a piece takes between two corners: those of its corners, or of the control points.
+FUNC vec2 piece_bounds(Piece e, vec2 f0, vec2 f1) {
+    if (e.c0.z != 0.0f || e.c1.z != 0.0f || e.c2 != vec3(0.0f)) {
+        f0 = vec2(0.0f);
+        f1 = vec2(1.0f);
+    }
+    float v0 = piece_value(e, f0), v1 = piece_value(e, vec2(f1.x, f0.y)), v2 = piece_value(e, vec2(f0.x, f1.y)),
+          v3 = piece_value(e, f1);
+    vec2 bounds = vec2(min(min(v0, v1), min(v2, v3)), max(max(v0, v1), max(v2, v3)));
+    // What a biquadratic over [0, 1] may do between its corners: a quarter of its second differences.
+    float bend = 0.25f * (abs(e.c0.z) + abs(e.c1.z) + abs(e.c2.z) + abs(e.c2.x) + abs(e.c2.y) + abs(e.c2.z));
+    return bounds + vec2(-bend, bend);
+}
+
+struct LeafRoot {
+    vec2 b;
+    float t;        // from the shifted origin
+    bool inside;    // converged to a place in the rectangle and the piece
+    bool decided;   // inside or not, there is no other
+};
+
+// Newton on S along the ray over one piece, from the middle of a rectangle of texel coordinates (relative to vertex 0's).
+// `o`: the ray's origin in the frame, near the triangle.
+FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 half_size, vec3 o, vec3 d, float rounding) {
+    LeafRoot root;
+    vec2 b = barycentrics_at(g, middle), reach = half_size * 1.001f + vec2(1e-6f) * abs(g.t0 + middle);
+    vec2 furthest = half_size + vec2(0.02f) * max(half_size.x, half_size.y);
+    float first = 0.0f;
+    bool at_border = false;
+    root.b = b;
+    root.t = 0.0f;
+    root.inside = false;
+    root.decided = false;
+    for (int i = 0; i < kLeafSteps; ++i) {
+        vec2 f = (g.t0 + g.t1 * b.x + g.t2 * b.y - e.origin) / e.stride, slope = piece_gradient(e, f) * ob.amplitude;
+        vec3 n = g.n0 + g.m1 * b.x + g.m2 * b.y;
+        float inverse = 1.0f / max(length(n), 1e-20f), h = displacement(ob, piece_value(e, f));
+        vec3 u = n * inverse, r = vec3(g.q1x * b.x, 0.0f, 0.0f) + g.e2 * b.y + u * h - o;
+        vec3 s1 = vec3(g.q1x, 0.0f, 0.0f) + (g.m1 - u * dot(u, g.m1)) * (inverse * h) + u * dot(slope, g.t1);
+        vec3 s2 = g.e2 + (g.m2 - u * dot(u, g.m2)) * (inverse * h) + u * dot(slope, g.t2);
+        vec3 across1 = cross(s2, d), across2 = cross(d, s1);
+        float det = dot(s1, across1);
+        if (i == 0) first = det;
+        bool alone = det * first > 0.0f && abs(det) > kSameSheet * abs(first) && abs(first) > kSameSheet * abs(det);
+        vec2 change = vec2(dot(r, across1), dot(r, across2)) * (-1.0f / det);
+        vec2 target = b + change, x = g.t1 * target.x + g.t2 * target.y, off = x - middle;
+        if (!(max(abs(off.x), abs(off.y)) <= 1e9f)) return root;  // NaN too
+        float along = dot(r, d);
+        vec3 aside = r - d * along;
+        if (dot(aside, aside) <= 0.0625f * rounding * rounding || max(abs(change.x), abs(change.y)) <= 1e-7f) {
+            root.b = target;
+            root.t = along + dot(s1, d) * change.x + dot(s2, d) * change.y;
+            root.inside = abs(off.x) <= reach.x && abs(off.y) <= reach.y &&
+                          in_piece(e, (g.t0 + x - e.origin) / e.stride, kPieceBorder);
+            root.decided = alone;
+            return root;
+        }
+        // From the border too the root lies beyond.
+        bool beyond = abs(off.x) > furthest.x || abs(off.y) > furthest.y;
+        if (beyond && at_border && alone) {
+            root.decided = true;
+            return root;
+        }
+        at_border = beyond;
+        if (beyond) target = barycentrics_at(g, clamp(x, middle - furthest, middle + furthest));
+        b = target;
+    }
+    return root;
+}
+
+#endif
