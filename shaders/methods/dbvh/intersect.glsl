@@ -28,7 +28,7 @@ const float kLeastBox = 1e-4f;    // size of a box that is not divided below the
 
 // Least and greatest map value over a square of 2^level texels, level > leaf level, or the leaf's by map_bounds for B-splines.
 FUNC vec2 square_values(Primitive p, ObjectData ob, float leaf, int leaf_level, vec2 square, int level) {
-    vec2 cell = primitive_base(p.base) + square;
+    vec2 cell = primitive_base(p) + square;
     if (leaf == kLeafBspline) {
         // Control points lie up to a leaf further out.
         int reached = level > leaf_level ? level + 1 : level + 2;
@@ -71,13 +71,13 @@ struct Walk {        // where the walk through a triangle's squares is
 
 FUNC Walk start_walk(Primitive p, Domain g, vec3 d, int leaf_level) {
     Walk w;
-    vec2 extent = g.high - g.low, base = primitive_base(p.base);
+    vec2 extent = g.high - g.low, base = primitive_base(p), first = base + floor(g.t0 + g.low);  // whole: exact
     int root = max(int(ceil(log2(max(max(extent.x, extent.y), 1.0f)))), leaf_level);
     float size = power_of_two(root);
     w.at = ivec2(0, 0);
     w.level = root + 1;
     w.top = root + 1;
-    w.corner = floor((base + g.t0 + g.low) / size) * size - base;
+    w.corner = floor(first / size) * size - base;
     w.mirror = ivec2(dot(g.px, d) < 0.0f ? -1 : 0, dot(g.py, d) < 0.0f ? -1 : 0);
     return w;
 }
@@ -85,6 +85,13 @@ FUNC Walk start_walk(Primitive p, Domain g, vec3 d, int leaf_level) {
 FUNC vec2 square_of(Walk w) {
     int last = (1 << (w.top - w.level)) - 1;
     return w.corner + vec2((w.at ^ w.mirror) & last) * power_of_two(w.level);
+}
+
+// Of the leaf that holds the square.
+FUNC vec2 leaf_square(Walk w, int leaf_level) {
+    w.at = w.at >> (leaf_level - w.level);
+    w.level = leaf_level;
+    return square_of(w);
 }
 
 FUNC void go_down(INOUT(Walk) w) {
@@ -129,7 +136,7 @@ FUNC void take_hit(Primitive p, vec2 b, float t, INOUT(bool) found, INOUT(Surfac
 
 // Meets the leaf's pieces over the rectangle. False where there may be a hit that was not found.
 FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, float leaf, vec2 square, float stride, vec2 middle,
-                    vec2 half_size, INOUT(bool) found, INOUT(SurfaceHit) hit) {
+                    vec2 half_size, float bend, bool last, INOUT(bool) found, INOUT(SurfaceHit) hit) {
     bool decided = true;
     vec2 f0 = (g.t0 + middle - half_size - square) / stride, f1 = (g.t0 + middle + half_size - square) / stride;
     for (int i = 0; i < piece_count(leaf); ++i) {
@@ -139,7 +146,7 @@ FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, float leaf,
         }
         if (leaf == kLeafTriangles && (i == 0 ? f0.x + f0.y > 1.001f : f1.x + f1.y < 0.999f)) continue;
         Piece e = make_piece(p, leaf, square, stride, i);
-        LeafRoot root = solve_piece(g, ob, e, middle, half_size, r.o, r.d, r.rounding);
+        LeafRoot root = solve_piece(g, ob, e, middle, half_size, r.o, r.d, r.rounding, bend, last);
         float t = r.t0 + root.t;
         note(kNoteCell, t, square, 0.0f, t);
         decided = decided && root.decided;
@@ -179,11 +186,12 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         if (!(low.x <= high.x && low.y <= high.y)) continue;
         vec2 middle = 0.5f * (low + high), half_size = 0.5f * (high - low);
         if (outside_triangle(g, middle, half_size, 2.0f * r.margin.x + 2e-6f)) continue;
-        vec2 of_leaf = w.level < leaf_level ? floor((primitive_base(p.base) + square) / stride) * stride - primitive_base(p.base) : square;
+        vec2 of_leaf = w.level < leaf_level ? leaf_square(w, leaf_level) : square;
         bool by_pieces = w.level < leaf_level || (w.level == leaf_level && leaf != kLeafBspline);
         vec2 values = by_pieces ? leaf_values(p, leaf, of_leaf, stride, (g.t0 + low - of_leaf) / stride, (g.t0 + high - of_leaf) / stride)
                                 : square_values(p, ob, leaf, leaf_level, square, w.level);
-        DisplacedBox box = displaced_box(g, middle, half_size, displacement_range(p, ob, values));
+        vec2 heights = displacement_range(p, ob, values);
+        DisplacedBox box = displaced_box(g, middle, half_size, heights);
         vec2 span = box_span(box, r.o, r.inverse);
         note(kNoteStep, r.t0 + span.x, square, 0.0f, size);
         if (!(span.x <= span.y && r.t0 + span.y >= t_min && r.t0 + span.x <= hit.t)) continue;
@@ -201,8 +209,10 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         }
         bool last = w.level <= lowest || largest <= least;
         down = !last;
-        if (last || box.turn <= kLeafTurn)
-            down = !meet_leaf(p, ob, g, r, leaf, of_leaf, stride, middle, half_size, found, hit) && !last;
+        if (last || box.turn <= kLeafTurn) {
+            float bend = 0.5f * box.turn * (heights.y - heights.x + 0.5f * box.turn * max(abs(heights.x), abs(heights.y)));
+            down = !meet_leaf(p, ob, g, r, leaf, of_leaf, stride, middle, half_size, bend, last, found, hit) && !last;
+        }
     }
     return found;
 }

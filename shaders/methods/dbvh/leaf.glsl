@@ -9,7 +9,7 @@
 
 const float kLeafBox = 0.0f, kLeafTriangles = 1.0f, kLeafBilinear = 2.0f, kLeafBspline = 3.0f;
 const int kLeafSteps = 8;           // of Newton
-const float kSameSheet = 0.4f;      // the Jacobian's determinant keeps this part of itself where one root stands alone
+const float kSameSheet = 0.6f;      // where the Jacobian's determinant changes by less, of itself, a root stands alone
 const float kPieceBorder = 1e-3f;   // squares that a root may lie outside its piece
 
 // A piece of the height: biquadratic in f, which goes from 0 to 1 over a square of `stride` texels at `origin`.
@@ -40,7 +40,7 @@ FUNC void bspline_segment(vec3 a, vec3 b, vec3 c, OUT(vec3) c0, OUT(vec3) c1, OU
 
 FUNC Piece make_piece(Primitive p, float leaf, vec2 square, float stride, int index) {
     Piece e;
-    vec2 base = primitive_base(p.base);
+    vec2 base = primitive_base(p);
     e.stride = stride;
     e.origin = square;
     e.low = vec2(0.0f);
@@ -114,20 +114,44 @@ struct LeafRoot {
     bool decided;   // inside or not, there is no other
 };
 
+// What Newton's model leaves out within a step of `reach` texels.
+struct LeafDoubt {
+    vec2 shift;    // texels that a root may lie beside where the model has it
+    float change;  // of the Jacobian's determinant, a part of it
+};
+
+// Where the model is that of one place, with unit normal u there. The height's second
+// differences are exact for a bilinear square: with u held, the error is u times its cross term.
+FUNC LeafDoubt leaf_doubt(Domain g, Piece e, float amplitude, vec3 u, vec3 across1, vec3 across2,
+                          float det, float bend, vec2 reach) {
+    float inverse = 1.0f / max(abs(det), 1e-30f);
+    vec2 by = vec2(dot(u, across1), dot(u, across2)) * inverse, v = abs(g.t1 * by.x + g.t2 * by.y), f = reach / e.stride;
+    float xx = abs(e.c2.x) + abs(e.c2.y) + abs(e.c2.z), yy = abs(e.c0.z) + abs(e.c1.z) + abs(e.c2.z);
+    float xy = abs(e.c1.y) + 2.0f * (abs(e.c1.z) + abs(e.c2.y)) + 4.0f * abs(e.c2.z), a = abs(amplitude);
+    // The normal's turning moves S's second order by `bend` at most, its derivatives by twice that over the step.
+    float l1 = length(across1) * inverse, l2 = length(across2) * inverse;
+    LeafDoubt doubt;
+    doubt.shift = v * (a * (xx * f.x * f.x + yy * f.y * f.y + xy * f.x * f.y)) + (abs(g.t1) * l1 + abs(g.t2) * l2) * bend;
+    vec2 slope = vec2(2.0f * xx * f.x + xy * f.y, 2.0f * yy * f.y + xy * f.x) * (a / e.stride);
+    vec2 step = abs(g.bx) * reach.x + abs(g.by) * reach.y;  // barycentric
+    doubt.change = dot(v, slope) + 2.0f * bend * (l1 / max(step.x, 1e-20f) + l2 / max(step.y, 1e-20f));
+    return doubt;
+}
+
 // Newton on S along the ray over one piece, from the middle of a rectangle of texel coordinates (relative to vertex 0's).
-// `o`: the ray's origin in the frame, near the triangle.
-FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 half_size, vec3 o, vec3 d, float rounding) {
+// `o`: the ray's origin in the frame, near the triangle. `bend`: world units, what the normal's turning adds to S between
+// the middle and the rectangle's border, to second order. `last`: a root will do, whether alone or not.
+FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 half_size, vec3 o, vec3 d, float rounding,
+                          float bend, bool last) {
     LeafRoot root;
-    vec2 b = barycentrics_at(g, middle), reach = half_size * 1.001f + vec2(1e-6f) * abs(g.t0 + middle);
-    vec2 furthest = half_size + vec2(0.02f) * max(half_size.x, half_size.y);
-    float first = 0.0f;
-    bool at_border = false;
+    vec2 b = barycentrics_at(g, middle), x = middle, reach = half_size * 1.001f + vec2(1e-6f) * abs(g.t0 + middle);
+    vec2 furthest = reach * 1.25f;
     root.b = b;
     root.t = 0.0f;
     root.inside = false;
     root.decided = false;
     for (int i = 0; i < kLeafSteps; ++i) {
-        vec2 f = (g.t0 + g.t1 * b.x + g.t2 * b.y - e.origin) / e.stride, slope = piece_gradient(e, f) * ob.amplitude;
+        vec2 f = (g.t0 + x - e.origin) / e.stride, slope = piece_gradient(e, f) * ob.amplitude;
         vec3 n = g.n0 + g.m1 * b.x + g.m2 * b.y;
         float inverse = 1.0f / max(length(n), 1e-20f), h = displacement(ob, piece_value(e, f));
         vec3 u = n * inverse, r = vec3(g.q1x * b.x, 0.0f, 0.0f) + g.e2 * b.y + u * h - o;
@@ -135,31 +159,32 @@ FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 ha
         vec3 s2 = g.e2 + (g.m2 - u * dot(u, g.m2)) * (inverse * h) + u * dot(slope, g.t2);
         vec3 across1 = cross(s2, d), across2 = cross(d, s1);
         float det = dot(s1, across1);
-        if (i == 0) first = det;
-        bool alone = det * first > 0.0f && abs(det) > kSameSheet * abs(first) && abs(first) > kSameSheet * abs(det);
         vec2 change = vec2(dot(r, across1), dot(r, across2)) * (-1.0f / det);
-        vec2 target = b + change, x = g.t1 * target.x + g.t2 * target.y, off = x - middle;
+        vec2 off = x + g.t1 * change.x + g.t2 * change.y - middle;
         if (!(max(abs(off.x), abs(off.y)) <= 1e9f)) return root;  // NaN too
+        bool outside = abs(off.x) > reach.x || abs(off.y) > reach.y, beyond = abs(off.x) > furthest.x || abs(off.y) > furthest.y;
+        if (i == 0 || outside) {
+            float far = i == 0 ? 1.0f : 2.25f;
+            LeafDoubt doubt = leaf_doubt(g, e, ob.amplitude, u, across1, across2, det, bend * far * far, reach * far);
+            if (abs(off.x) > reach.x + doubt.shift.x || abs(off.y) > reach.y + doubt.shift.y) {
+                root.decided = true;
+                return root;
+            }
+            if (i == 0) root.decided = doubt.change < kSameSheet;
+            if (!(root.decided || last)) return root;
+        }
         float along = dot(r, d);
         vec3 aside = r - d * along;
         if (dot(aside, aside) <= 0.0625f * rounding * rounding || max(abs(change.x), abs(change.y)) <= 1e-7f) {
-            root.b = target;
+            root.b = b + change;
             root.t = along + dot(s1, d) * change.x + dot(s2, d) * change.y;
-            root.inside = abs(off.x) <= reach.x && abs(off.y) <= reach.y &&
-                          in_piece(e, (g.t0 + x - e.origin) / e.stride, kPieceBorder);
-            root.decided = alone;
+            root.inside = !outside && in_piece(e, (g.t0 + middle + off - e.origin) / e.stride, kPieceBorder);
             return root;
         }
-        // From the border too the root lies beyond.
-        bool beyond = abs(off.x) > furthest.x || abs(off.y) > furthest.y;
-        if (beyond && at_border && alone) {
-            root.decided = true;
-            return root;
-        }
-        at_border = beyond;
-        if (beyond) target = barycentrics_at(g, clamp(x, middle - furthest, middle + furthest));
-        b = target;
+        x = middle + clamp(off, -furthest, furthest);
+        b = beyond ? barycentrics_at(g, x) : b + change;
     }
+    root.decided = false;
     return root;
 }
 
