@@ -140,13 +140,16 @@ FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, float leaf,
     bool decided = true;
     vec2 f0 = (g.t0 + middle - half_size - square) / stride, f1 = (g.t0 + middle + half_size - square) / stride;
     for (int i = 0; i < piece_count(leaf); ++i) {
-        if (leaf == kLeafBspline) {
-            vec2 corner = vec2(float(i & 1), float(i >> 1)) * 0.5f;
-            if (f1.x < corner.x || f1.y < corner.y || f0.x > corner.x + 0.5f || f0.y > corner.y + 0.5f) continue;
-        }
         if (leaf == kLeafTriangles && (i == 0 ? f0.x + f0.y > 1.001f : f1.x + f1.y < 0.999f)) continue;
+        vec2 of_middle = middle, of_half = half_size;
+        if (leaf == kLeafBspline) {
+            vec2 corner = vec2(float(i & 1), float(i >> 1)) * 0.5f, low = max(f0, corner), high = min(f1, corner + vec2(0.5f));
+            if (low.x > high.x || low.y > high.y) continue;
+            of_middle = square - g.t0 + 0.5f * stride * (low + high);
+            of_half = 0.5f * stride * (high - low);
+        }
         Piece e = make_piece(p, leaf, square, stride, i);
-        LeafRoot root = solve_piece(g, ob, e, middle, half_size, r.o, r.d, r.rounding, bend, last);
+        LeafRoot root = solve_piece(g, ob, e, of_middle, of_half, r.o, r.d, r.rounding, bend, last);
         float t = r.t0 + root.t;
         note(kNoteCell, t, square, 0.0f, t);
         decided = decided && root.decided;
@@ -156,7 +159,7 @@ FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, float leaf,
 }
 
 FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o, vec3 d, float t_min, float t_max,
-                            float random, OUT(SurfaceHit) hit) {
+                            float, OUT(SurfaceHit) hit) {
     float leaf = parameters.x, most = max(abs(p.w_low), abs(p.w_high));
     int leaf_level = int(parameters.y);
     float stride = power_of_two(leaf_level), pixel = parameters.z > 0.5f ? pixel_spread() : 0.0f;
@@ -172,7 +175,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     Domain g = make_domain(p, primitive_normals(), most, r.rounding);
     Walk w = start_walk(p, g, r.d, leaf_level);
     int lowest = max(leaf_level - kSubLevels, w.top - kMostDepth);
-    float least = kLeastBox * most + 2.0f * g.margin, enough = r.rounding + 1e-7f * (most + p.q1x);
+    float least = kLeastBox * most + 2.0f * g.margin;
     bool found = false, down = true;
     hit.t = t_max;
     hit.b = vec2(0.0f, 0.0f);
@@ -210,7 +213,9 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         bool last = w.level <= lowest || largest <= least;
         down = !last;
         if (last || box.turn <= kLeafTurn) {
-            float bend = 0.5f * box.turn * (heights.y - heights.x + 0.5f * box.turn * max(abs(heights.x), abs(heights.y)));
+            // A triangle's plane goes on beyond it by as much as its heights differ.
+            float differ = (heights.y - heights.x) * (leaf == kLeafTriangles ? 2.0f : 1.0f);
+            float bend = 0.5f * box.turn * (differ + 0.5f * box.turn * max(abs(heights.x), abs(heights.y)));
             down = !meet_leaf(p, ob, g, r, leaf, of_leaf, stride, middle, half_size, bend, last, found, hit) && !last;
         }
     }

@@ -175,7 +175,9 @@ FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 ha
         }
         float along = dot(r, d);
         vec3 aside = r - d * along;
-        if (dot(aside, aside) <= 0.0625f * rounding * rounding || max(abs(change.x), abs(change.y)) <= 1e-7f) {
+        // Where the ray grazes, rounding keeps the steps from shrinking further.
+        float enough = i < 4 ? 1e-7f : 4e-6f;
+        if (dot(aside, aside) <= 0.0625f * rounding * rounding || max(abs(change.x), abs(change.y)) <= enough) {
             root.b = b + change;
             root.t = along + dot(s1, d) * change.x + dot(s2, d) * change.y;
             root.inside = !outside && in_piece(e, (g.t0 + middle + off - e.origin) / e.stride, kPieceBorder);
