@@ -9,14 +9,18 @@ constexpr std::string_view kLeafNames[] = {"box", "triangles", "bilinear", "bspl
 constexpr double kLevels[] = {3, 2, 1, 0};
 
 constexpr MethodParameter kParameters[] = {
-    {"leaf", "", "What is met where the level of detail is reached: the box itself, two triangles a square, the bilinear "
-                 "surface, or a smooth B-spline, which rounds the map's peaks.",
+    {"leaf", "",
+     "What is met where the level of detail is reached: the box itself, two triangles a square, the bilinear "
+     "surface, or a smooth B-spline, which rounds the map's peaks.",
      0, 3, 2, false, kLeaves, kLeafNames},
-    {"level", "", "Level of detail: a leaf is 2^level texels wide. 0 is the map itself.", 0, 10, 0, false, kLevels},
-    {"by_pixel", "", "Squares whose box looks smaller than a pixel are met as boxes: quicker far away, true to a pixel.", 0, 1,
-     0, true},
-    {"correct_normals", "", "Shade with the interpolated normal in the base triangle's stead, so that a low-poly base "
-                            "does not show.",
+    {"level", "", "Level of detail: a leaf is 2^level texels wide. 0 is the map itself.", 0, 10, 0, false,
+     kLevels},
+    {"by_pixel", "",
+     "Squares whose box looks smaller than a pixel are met as boxes: quicker far away, true to a pixel.", 0,
+     1, 0, true},
+    {"correct_normals", "",
+     "Shade with the interpolated normal in the base triangle's stead, so that a low-poly base "
+     "does not show.",
      0, 1, 1, true},
 };
 
@@ -26,8 +30,11 @@ const Method kDbvh{
     "dbvh",
     "Displacement BVH",
     "Thonat and others 2021, Tessellation-Free Displacement Mapping for Ray Tracing",
-    "Boxes are met whole, and B-splines smooth the map: both differ from the surface by up to a texel's heights. Above "
-    "level 0, sizes that 2^level does not divide tear where the map repeats. At most 32768 boxes a triangle.",
+    "Boxes are met whole and B-splines smooth the map, so both differ from the surface by up to a texel's "
+    "heights. "
+    "B-splines, and leaves above level 0, may reach beyond a base triangle's box, which cuts them; sizes "
+    "that 2^level "
+    "does not divide tear where the map repeats. At most 32768 boxes a triangle.",
     GeometryKind::surface_bounds,
     true,
     kParameters,

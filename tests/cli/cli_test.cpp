@@ -227,6 +227,15 @@ TEST_F(Program, TheReferenceRendersWithoutADevice) {
     EXPECT_FALSE(std::filesystem::exists(path("b.exr")));
 }
 
+TEST_F(Program, ParametersTakeTheNamesOfTheirValues) {
+    if (!test::have_device()) GTEST_SKIP() << "no Vulkan device with ray tracing";
+    const Outcome outcome = run_program({"explain", scene_, "--method", "dbvh", "--set", "leaf=triangles"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("leaf triangles, level 0"), std::string::npos) << outcome.out;
+    expect_refused({"explain", scene_, "--method", "dbvh", "--set", "leaf=4"},
+                   "method parameter 'leaf' is 4, must be 0 (box), 1 (triangles), 2 (bilinear), 3 (bspline)");
+}
+
 TEST_F(Program, ExplainSaysWhatIsBuiltAndWhyInText) {
     if (!test::have_device()) GTEST_SKIP() << "no Vulkan device with ray tracing";
     const Outcome outcome = run_program({"explain", scene_, "--method", "pdm", "--set", "dt=0.01"});

@@ -21,7 +21,7 @@ class Trial {
 
     void check_square(float leaf) {
         const Primitive& p = primitive_;
-        const Domain g = make_domain(p, subject.normals, std::max(std::abs(p.w_low), std::abs(p.w_high)), 0);
+        const Domain g = make_domain(p, subject.normals, greatest_displacement(subject.object), 0);
         const int leaf_level = whole(0, 2), level = leaf_level + whole(0, 5);
         const float size = std::ldexp(1.0f, level), stride = std::ldexp(1.0f, leaf_level);
         const vec2 inside = texel_at(p, vec2(barycentrics())), base = primitive_base(p);
@@ -32,8 +32,9 @@ class Trial {
         const vec2 values = by_pieces ? leaf_values(p, leaf, square, stride, (g.t0 + low - square) / stride,
                                                     (g.t0 + high - square) / stride)
                                       : square_values(p, subject.object, leaf, leaf_level, square, level);
-        const DisplacedBox box =
-            displaced_box(g, middle, half_size, displacement_range(p, subject.object, values));
+        const DisplacedBox box = displaced_box(
+            g, middle, half_size,
+            displacement_range(p, subject.object, values, leaf == kLeafBilinear && leaf_level == 0));
         const bool outside = outside_triangle(g, middle, half_size, 2e-5f);
         for (int i = 0; i < 30; ++i) {
             const dvec2 b = barycentrics();

@@ -54,12 +54,16 @@ FUNC vec2 leaf_values(Primitive p, float leaf, vec2 square, float stride, vec2 f
     return bounds;
 }
 
-// As displacements, within the triangle's own range.
-FUNC vec2 displacement_range(Primitive p, ObjectData ob, vec2 values) {
+// As displacements. S itself lies within the triangle's own range; leaves that reach over its texels need not.
+FUNC vec2 displacement_range(Primitive p, ObjectData ob, vec2 values, bool of_surface) {
     float d0 = displacement(ob, values.x), d1 = displacement(ob, values.y);
-    vec2 d = vec2(max(min(d0, d1), p.w_low), min(max(d0, d1), p.w_high));
+    vec2 d = vec2(min(d0, d1), max(d0, d1));
+    if (!of_surface) return d;
+    d = vec2(max(d.x, p.w_low), min(d.y, p.w_high));
     return d.x <= d.y ? d : vec2(p.w_low, p.w_high);
 }
+
+FUNC float greatest_displacement(ObjectData ob) { return abs(ob.amplitude) * max(ob.midlevel, 1.0f - ob.midlevel); }
 
 struct Walk {        // where the walk through a triangle's squares is
     ivec2 at;        // among the squares of its level, mirrored into the ray's order
@@ -160,7 +164,7 @@ FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, float leaf,
 
 FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o, vec3 d, float t_min, float t_max,
                             float, OUT(SurfaceHit) hit) {
-    float leaf = parameters.x, most = max(abs(p.w_low), abs(p.w_high));
+    float leaf = parameters.x, most = greatest_displacement(ob);
     int leaf_level = int(parameters.y);
     float stride = power_of_two(leaf_level), pixel = parameters.z > 0.5f ? pixel_spread() : 0.0f;
     DbvhRay r;
@@ -193,7 +197,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         bool by_pieces = w.level < leaf_level || (w.level == leaf_level && leaf != kLeafBspline);
         vec2 values = by_pieces ? leaf_values(p, leaf, of_leaf, stride, (g.t0 + low - of_leaf) / stride, (g.t0 + high - of_leaf) / stride)
                                 : square_values(p, ob, leaf, leaf_level, square, w.level);
-        vec2 heights = displacement_range(p, ob, values);
+        vec2 heights = displacement_range(p, ob, values, leaf == kLeafBilinear && leaf_level == 0);
         DisplacedBox box = displaced_box(g, middle, half_size, heights);
         vec2 span = box_span(box, r.o, r.inverse);
         note(kNoteStep, r.t0 + span.x, square, 0.0f, size);
