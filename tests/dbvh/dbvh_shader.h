@@ -98,12 +98,15 @@ inline vec2 map_bounds(uint, int level, vec2 cell) {
     return vec2(bounds.low, bounds.high) / 65535.0f;
 }
 
+// In the order of their needs.
+// clang-format off
 #include "shaders/geometry/dialect.glsl"
-#include "shaders/geometry/edges.glsl"
-#include "shaders/geometry/height.glsl"
-#include "shaders/geometry/prism.glsl"
-#include "shaders/geometry/surface.glsl"
 #include "shaders/geometry/texels.glsl"
+#include "shaders/geometry/height.glsl"
+#include "shaders/geometry/surface.glsl"
+#include "shaders/geometry/prism.glsl"
+#include "shaders/geometry/edges.glsl"
+// clang-format on
 
 inline bool opaque_at(Primitive, vec2) {
     return true;
