@@ -20,6 +20,19 @@ std::string readable(std::string name) {
     return name;
 }
 
+void named_row(const MethodParameter& parameter, const std::string& label, std::size_t now,
+               const std::function<void(double value)>& set) {
+    row_label(label);
+    if (ImGui::BeginCombo(("##" + label).c_str(), std::string(parameter.names[now]).c_str())) {
+        for (std::size_t i = 0; i < parameter.names.size(); ++i) {
+            if (ImGui::Selectable(std::string(parameter.names[i]).c_str(), i == now))
+                set(static_cast<double>(i));
+        }
+        ImGui::EndCombo();
+    }
+    tooltip(parameter.tooltip, label);
+}
+
 void parameter_rows(const Method& method, const MethodChoice& choice, const SetParameter& set) {
     const auto values = resolve_parameters(method, choice.parameters);
     for (const MethodParameter& parameter : method.parameters) {
@@ -27,6 +40,11 @@ void parameter_rows(const Method& method, const MethodChoice& choice, const SetP
         if (parameter.is_switch) {
             bool on = values.at(name) != 0;
             if (switch_row(label, on, parameter.tooltip)) set(name, on ? 1.0 : 0.0);
+            continue;
+        }
+        if (!parameter.names.empty()) {
+            named_row(parameter, label, static_cast<std::size_t>(values.at(name)),
+                      [&](double value) { set(name, value); });
             continue;
         }
         auto value = static_cast<float>(values.at(name));
