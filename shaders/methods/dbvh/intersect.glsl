@@ -29,24 +29,22 @@ const float kLeastBox = 1e-4f;    // size of a box that is not divided below the
 // Least and greatest map value over a square of 2^level texels, level > leaf level, or the leaf's by map_bounds for B-splines.
 FUNC vec2 square_values(Primitive p, ObjectData ob, float leaf, int leaf_level, vec2 square, int level) {
     vec2 cell = primitive_base(p) + square;
+    int taken = max(level, 1);
     if (leaf == kLeafBspline) {
         // Control points lie up to a leaf further out.
-        int reached = level > leaf_level ? level + 1 : level + 2;
-        return reached <= kPyramidLevels ? map_bounds(p.object, reached, cell - vec2(power_of_two(leaf_level))) : vec2(0.0f, 1.0f);
+        taken = level > leaf_level ? level + 1 : level + 2;
+        cell = cell - vec2(power_of_two(leaf_level));
+    } else if (level > 1) {
+        // A square that lies on nodes half as large is two by two of them exactly.
+        int half_mask = (1 << (level - 1)) - 1;
+        if (ob.clamp_wrap != 0u || ((ob.map_size.x | ob.map_size.y) & half_mask) == 0) taken = level - 1;
     }
-    // A square that lies on nodes half as large is two by two of them exactly.
-    int half_mask = level > 1 ? (1 << (level - 1)) - 1 : -1;
-    bool on_nodes = level > 1 && (ob.clamp_wrap != 0u || ((ob.map_size.x | ob.map_size.y) & half_mask) == 0);
-    int taken = on_nodes ? level - 1 : max(level, 1);
     return taken <= kPyramidLevels ? map_bounds(p.object, taken, cell) : vec2(0.0f, 1.0f);
 }
 
 // The same over the part from f0 to f1 of a leaf's square.
 FUNC vec2 leaf_values(Primitive p, float leaf, vec2 square, float stride, vec2 f0, vec2 f1) {
     vec2 bounds = vec2(1e30f, -1e30f);
-    if (leaf == kLeafBox || leaf == kLeafBilinear) {
-        return piece_bounds(make_piece(p, kLeafBilinear, square, stride, 0), f0, f1);
-    }
     for (int i = 0; i < piece_count(leaf); ++i) {
         vec2 of = piece_bounds(make_piece(p, leaf, square, stride, i), f0, f1);
         bounds = vec2(min(bounds.x, of.x), max(bounds.y, of.y));

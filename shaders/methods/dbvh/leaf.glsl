@@ -23,12 +23,29 @@ struct Piece {
 
 FUNC int piece_count(float leaf) { return leaf == kLeafBspline ? 4 : (leaf == kLeafTriangles ? 2 : 1); }
 
-// Map values at the corners of a square of `stride` texels.
-FUNC vec4 corner_values(uint object, vec2 texel, float stride) {
-    if (stride == 1.0f) return height_quad(object, texel);
-    vec2 x = vec2(stride, 0.0f), y = vec2(0.0f, stride);
-    return vec4(height_quad(object, texel).x, height_quad(object, texel + x).x, height_quad(object, texel + y).x,
-                height_quad(object, texel + x + y).x);
+// Map values at `count` by `count` texels, `stride` apart, a row each. One fetch in the code, for what it takes to compile:
+// the loop's length is not known before it runs.
+FUNC void control_values(uint object, vec2 texel, float stride, int count, OUT(vec3) r0, OUT(vec3) r1, OUT(vec3) r2) {
+    bool by_one = count == 2 && stride == 1.0f;
+    int fetches = by_one ? 1 : count * count;
+    vec2 at = vec2(0.0f);
+    r0 = vec3(0.0f);
+    r1 = vec3(0.0f);
+    r2 = vec3(0.0f);
+    for (int i = 0; i < fetches; ++i) {
+        vec4 q = height_quad(object, texel + at * stride);
+        if (by_one) {
+            r0 = vec3(q.x, q.y, 0.0f);
+            r1 = vec3(q.z, q.w, 0.0f);
+        } else {
+            vec3 column = vec3(at.x == 0.0f ? q.x : 0.0f, at.x == 1.0f ? q.x : 0.0f, at.x == 2.0f ? q.x : 0.0f);
+            r0 = r0 + column * (at.y == 0.0f ? 1.0f : 0.0f);
+            r1 = r1 + column * (at.y == 1.0f ? 1.0f : 0.0f);
+            r2 = r2 + column * (at.y == 2.0f ? 1.0f : 0.0f);
+        }
+        at.x = at.x + 1.0f;
+        if (at.x == float(count)) at = vec2(0.0f, at.y + 1.0f);
+    }
 }
 
 // Coefficients of a uniform quadratic B-spline's segment from three control points, each a polynomial of its own.
@@ -46,13 +63,16 @@ FUNC Piece make_piece(Primitive p, float leaf, vec2 square, float stride, int in
     e.low = vec2(0.0f);
     e.high = vec2(1.0f);
     e.half_plane = 0.0f;
-    if (leaf == kLeafBspline) {
-        // Around one texel, from half a square before it to half a square after: the part within this square.
-        vec2 corner = vec2(float(index & 1), float(index >> 1)), texel = base + square + corner * stride, s = vec2(stride);
-        vec4 q0 = corner_values(p.object, texel - s, stride), q1 = corner_values(p.object, texel - vec2(0.0f, stride), stride),
-             q2 = corner_values(p.object, texel - vec2(stride, 0.0f), stride), q3 = corner_values(p.object, texel, stride);
+    // A B-spline's piece lies around one texel, from half a square before it to half a square after: the part within this
+    // square.
+    bool smooth_leaf = leaf == kLeafBspline;
+    vec2 corner = vec2(float(index & 1), float(index >> 1)), texel = base + square;
+    if (smooth_leaf) texel = texel + (corner - vec2(1.0f)) * stride;
+    vec3 r0, r1, r2;
+    control_values(p.object, texel, stride, smooth_leaf ? 3 : 2, r0, r1, r2);
+    if (smooth_leaf) {
         vec3 a0, a1, a2;
-        bspline_segment(vec3(q0.x, q0.y, q1.y), vec3(q0.z, q0.w, q1.w), vec3(q2.z, q2.w, q3.w), a0, a1, a2);
+        bspline_segment(r0, r1, r2, a0, a1, a2);
         // a_k: the power k of f.y, for the three columns. Across them likewise.
         bspline_segment(vec3(a0.x, a1.x, a2.x), vec3(a0.y, a1.y, a2.y), vec3(a0.z, a1.z, a2.z), e.c0, e.c1, e.c2);
         e.origin = square + (corner - vec2(0.5f)) * stride;
@@ -60,7 +80,7 @@ FUNC Piece make_piece(Primitive p, float leaf, vec2 square, float stride, int in
         e.high = e.low + vec2(0.5f);
         return e;
     }
-    vec4 q = corner_values(p.object, base + square, stride);
+    vec4 q = vec4(r0.x, r0.y, r1.x, r1.y);
     e.c2 = vec3(0.0f);
     if (leaf == kLeafTriangles && index == 0) {
         e.c0 = vec3(q.x, q.z - q.x, 0.0f);
