@@ -3,7 +3,7 @@
 #define RELIEVO_EDGES_GLSL
 
 const float kSharedEdgeMargin = 1e-5f;      // barycentric,
-const float kOpenEdgeMargin = 2e-7f;        // at an edge without neighbour: beyond it stands nothing
+const float kOpenEdgeMargin = 0.0f;         // at an edge without neighbour: beyond it stands nothing
 const float kMostSharedEdgeMargin = 1e-3f;  // or by more where a far ray's rounding asks for it
 
 // What rounding of the ray's origin may do, world units.
