@@ -59,6 +59,7 @@ struct Subject {
 inline Subject subject;
 
 constexpr bool kProcedural = false;
+inline bool is_procedural(uint) { return false; }
 constexpr uint kNoteStep = 0, kNoteRoot = 1, kNoteCell = 2, kNoteHit = 3;
 inline void note(uint kind, float, vec2, float, float) {
     subject.boxes += kind == kNoteStep;

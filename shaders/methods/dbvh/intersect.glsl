@@ -34,8 +34,8 @@ FUNC vec2 square_values(Primitive p, ObjectData ob, float leaf, int leaf_level, 
         // Control points lie up to a leaf further out.
         taken = level > leaf_level ? level + 1 : level + 2;
         cell = cell - vec2(power_of_two(leaf_level));
-    } else if (level > 1) {
-        // A square that lies on nodes half as large is two by two of them exactly.
+    } else if (level > 1 && !is_procedural(p.object)) {
+        // A square that lies on nodes half as large is two by two of them exactly (procedural bounds know no nodes).
         int half_mask = (1 << (level - 1)) - 1;
         if (ob.clamp_wrap != 0u || ((ob.map_size.x | ob.map_size.y) & half_mask) == 0) taken = level - 1;
     }

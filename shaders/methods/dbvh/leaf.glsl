@@ -164,7 +164,7 @@ FUNC LeafDoubt leaf_doubt(Domain g, Piece e, float amplitude, vec3 u, vec3 acros
 FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 half_size, vec3 o, vec3 d, float rounding,
                           float bend, bool last) {
     LeafRoot root;
-    vec2 b = barycentrics_at(g, middle), x = middle, reach = half_size * 1.001f + vec2(1e-6f) * abs(g.t0 + middle);
+    vec2 b = barycentrics_at(g, middle), x = g.t1 * b.x + g.t2 * b.y, reach = half_size * 1.001f + vec2(1e-6f) * abs(g.t0 + middle);
     vec2 furthest = reach * 1.25f;
     root.b = b;
     root.t = 0.0f;
@@ -200,11 +200,16 @@ FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 ha
         if (dot(aside, aside) <= 0.0625f * rounding * rounding || max(abs(change.x), abs(change.y)) <= enough) {
             root.b = b + change;
             root.t = along + dot(s1, d) * change.x + dot(s2, d) * change.y;
-            root.inside = !outside && in_piece(e, (g.t0 + middle + off - e.origin) / e.stride, kPieceBorder);
+            // As far outside as rounding or the last step may have put it: further, the neighbour's height counts.
+            vec2 step = min(abs(g.t1 * change.x + g.t2 * change.y), 1e-3f * half_size);
+            vec2 sure = half_size * 1.00002f + vec2(1e-6f) * abs(g.t0 + middle) + step;
+            root.inside = abs(off.x) <= sure.x && abs(off.y) <= sure.y &&
+                          in_piece(e, (g.t0 + middle + off - e.origin) / e.stride, kPieceBorder);
             return root;
         }
-        x = middle + clamp(off, -furthest, furthest);
-        b = beyond ? barycentrics_at(g, x) : b + change;
+        // Texels always follow from the barycentrics: the other way rounding would part the height from its place.
+        b = beyond ? barycentrics_at(g, middle + clamp(off, -furthest, furthest)) : b + change;
+        x = g.t1 * b.x + g.t2 * b.y;
     }
     root.decided = false;
     return root;
