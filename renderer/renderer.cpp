@@ -229,7 +229,7 @@ void Renderer::State::count_bytes() {
         if (f.name == "base mesh prisms") f.bytes = gpu_scene->primitive_bytes();
         if (f.name == trace_path_words(features.path)) f.bytes = gpu_scene->tree_bytes();
         if (f.name == "displacement maps") f.bytes = gpu_scene->map_bytes();
-        if (f.name == "procedural heights") f.bytes = gpu_scene->procedural_bytes();
+        if (f.name == "procedural heights" && f.built) f.bytes = gpu_scene->procedural_bytes();
         if (f.name == "min-max pyramid") f.bytes = gpu_scene->pyramid_bytes();
         if (f.name == "opacity maps" && f.built) f.bytes = gpu_scene->opacity_bytes();
         if (f.name == "image") f.bytes = film.image_bytes();
