@@ -162,7 +162,8 @@ std::optional<fs::path> FileDialog::draw() {
     if (just_opened_) ImGui::SetKeyboardFocusHere();
     just_opened_ = false;
     ImGui::SetNextItemWidth(-1);
-    accepted |= ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
+    accepted |= ImGui::InputText("##name", &name_,
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemEdited()) confirm_ = false;
     note(trouble_);
     accepted |= ImGui::Button(confirm_ ? "Replace" : purpose_.accept, ImVec2(points(110), 0));
