@@ -140,13 +140,7 @@ std::int64_t CellRanges::cut(const Cells& cells, int axis) const {
 CellCounts CellRanges::counts(const Cells& single) const {
     const std::int64_t x0 = axes_[0].texel(single.low[0]), x1 = axes_[0].texel(single.low[0] + 1);
     const std::int64_t y0 = axes_[1].texel(single.low[1]), y1 = axes_[1].texel(single.low[1] + 1);
-    const double a = at(x0, y0), b = at(x1, y0), c = at(x0, y1), d = at(x1, y1);
-    return {static_cast<double>(single.low[0]),
-            static_cast<double>(single.low[1]),
-            a,
-            b - a,
-            c - a,
-            a - b - c + d};
+    return cell_counts(single, at(x0, y0), at(x1, y0), at(x0, y1), at(x1, y1));
 }
 
 }  // namespace relievo::reference

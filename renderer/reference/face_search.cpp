@@ -74,7 +74,7 @@ void FaceSearch::start() {
         high = glm::max(high, whole.points[i].texel);
     }
     whole.cells = object_->cover(low, high);
-    if (bound_block(object_->displacement(object_->ranges.range(whole.cells)), whole))
+    if (bound_block(object_->displacement(object_->heights->range(whole.cells)), whole))
         stack_.push_back(whole);
 }
 
@@ -181,7 +181,7 @@ bool FaceSearch::is_a_line(const Part& part) {
 }
 
 void FaceSearch::open_block(const Part& part) {
-    const HeightRange counts = object_->ranges.range(part.cells);
+    const HeightRange counts = object_->heights->range(part.cells);
     if (part.cells.single() || counts.low == counts.high) {
         std::array<Part, kMostCorners> fan;
         std::size_t count = 0;
@@ -202,14 +202,14 @@ void FaceSearch::open_block(const Part& part) {
         return;
     }
     const int axis = part.cells.size(0) >= part.cells.size(1) ? 0 : 1;
-    const auto line = static_cast<double>(object_->ranges.cut(part.cells, axis));
+    const auto line = static_cast<double>(object_->heights->cut(part.cells, axis));
     std::array<Part, 2> halves;
     std::size_t count = 0;
     for (const bool keep_low : {true, false}) {
         Part half = clipped(part, axis, line, keep_low);
         // Less than a triangle is a corner or a side on the line: the other half has it.
         if (half.count < 3) continue;
-        if (bound_block(object_->displacement(object_->ranges.range(half.cells)), half))
+        if (bound_block(object_->displacement(object_->heights->range(half.cells)), half))
             halves[count++] = half;
     }
     push_nearest_last({halves.data(), count});

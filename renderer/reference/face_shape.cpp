@@ -77,14 +77,14 @@ Curvature FaceShape::curvature(const CellPatch& patch, const std::array<DomainPo
             d22 + 2 * d2 * turn2 + kTurn * d * turn2 * turn2};
 }
 
-FaceShape make_face_shape(const Mesh& mesh, std::uint32_t object, std::uint32_t face, int width, int height) {
+FaceShape make_face_shape(const Mesh& mesh, std::uint32_t object, std::uint32_t face, const TexelFrame& frame) {
     const Mesh::Face& f = mesh.faces[face];
     std::array<dvec3, 3> position, normal;
     std::array<dvec2, 3> texel;
     for (std::size_t i = 0; i < 3; ++i) {
         position[i] = mesh.positions[f.position[i]];
         normal[i] = mesh.normals[f.position[i]];
-        texel[i] = dvec2(mesh.uvs[f.uv[i]]) * dvec2(width, height) - 0.5;
+        texel[i] = dvec2(mesh.uvs[f.uv[i]]) * frame.scale + frame.shift;
     }
     return {position[0],
             position[1] - position[0],

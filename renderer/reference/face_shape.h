@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "renderer/reference/cell_ranges.h"
+#include "renderer/scene/mesh.h"
 
 namespace relievo::reference {
 
@@ -68,6 +68,11 @@ struct FaceShape {
                         double shortest_normal) const;
 };
 
-FaceShape make_face_shape(const Mesh& mesh, std::uint32_t object, std::uint32_t face, int width, int height);
+// How texture coordinates become texels: uv * scale + shift.
+struct TexelFrame {
+    glm::dvec2 scale, shift;
+};
+
+FaceShape make_face_shape(const Mesh& mesh, std::uint32_t object, std::uint32_t face, const TexelFrame& frame);
 
 }  // namespace relievo::reference

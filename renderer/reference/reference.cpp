@@ -8,8 +8,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "renderer/reference/cell_ranges.h"
 #include "renderer/reference/face_search.h"
 #include "renderer/reference/face_tree.h"
+#include "renderer/reference/procedural_cells.h"
 
 namespace relievo {
 
@@ -19,6 +21,28 @@ using namespace reference;
 
 namespace reference {
 
+ObjectData::ObjectData(const ReferenceObject& object) : source(object) {
+    const auto& map = object.heights;
+    if (object.procedural) {
+        procedural =
+            std::make_shared<ProceduralSource>(*object.procedural, map.width, map.height, map.texels);
+        heights = std::make_shared<ProceduralCells>(procedural);
+    } else {
+        heights = std::make_shared<CellRanges>(map, object.wrap);
+    }
+}
+
+TexelFrame ObjectData::texel_frame() const {
+    const dvec2 size(source.heights.width, source.heights.height);
+    if (!procedural) return {size, dvec2(-0.5)};
+    return {procedural->texel_at({1, 1}) - procedural->texel_at({0, 0}), procedural->texel_at({0, 0})};
+}
+
+dvec2 ObjectData::uv_at(const dvec2& texel) const {
+    if (procedural) return procedural->uv_at(texel);
+    return (texel + 0.5) / dvec2(source.heights.width, source.heights.height);
+}
+
 Interval ObjectData::displacement(const HeightRange& counts) const {
     const double a = displacement(static_cast<double>(counts.low)),
                  b = displacement(static_cast<double>(counts.high));
@@ -26,7 +50,7 @@ Interval ObjectData::displacement(const HeightRange& counts) const {
 }
 
 CellPatch ObjectData::patch(const Cells& single) const {
-    const CellCounts counts = ranges.counts(single);
+    const CellCounts counts = heights->counts(single);
     const double scale = source.amplitude / 65535.0;
     return {{counts.corner_x, counts.corner_y},
             displacement(counts.c00),
@@ -37,8 +61,8 @@ CellPatch ObjectData::patch(const Cells& single) const {
 
 Cells ObjectData::cover(const dvec2& low, const dvec2& high) const {
     Cells cells{};
-    ranges.cover(0, low.x, high.x, cells);
-    ranges.cover(1, low.y, high.y, cells);
+    heights->cover(0, low.x, high.x, cells);
+    heights->cover(1, low.y, high.y, cells);
     return cells;
 }
 
@@ -46,7 +70,7 @@ bool ObjectData::opaque(const dvec2& texel) const {
     const auto& map = source.opacity;
     if (map.texels == nullptr) return true;
     const dvec2 size(map.width, map.height);
-    const dvec2 at = (texel + 0.5) / dvec2(source.heights.width, source.heights.height) * size - 0.5;
+    const dvec2 at = uv_at(texel) * size - 0.5;
     const dvec2 cell = glm::floor(at), f = at - cell;
     const auto value = [&](double dx, double dy) {
         const auto wrapped = [&](double place, double count) {
@@ -63,7 +87,7 @@ bool ObjectData::opaque(const dvec2& texel) const {
 
 namespace {
 
-constexpr double kMostTexels = 0x1p50;
+constexpr double kMostTexels = 0x1p50, kMostVirtualTexels = 0x1p22;
 
 void check(const ReferenceObject& object) {
     if (object.mesh == nullptr || object.heights.texels == nullptr || object.heights.width < 1 ||
@@ -80,7 +104,7 @@ Bounds bounds_of(const FaceShape& shape, const ObjectData& object) {
                                               {{0, 1}, shape.texel_at({0, 1})}}};
     const dvec2 low = glm::min(glm::min(corners[0].texel, corners[1].texel), corners[2].texel);
     const dvec2 high = glm::max(glm::max(corners[0].texel, corners[1].texel), corners[2].texel);
-    const Interval d = object.displacement(object.ranges.range(object.cover(low, high)));
+    const Interval d = object.displacement(object.heights->range(object.cover(low, high)));
     const LengthRange length = shape.normal_length(corners);
     double radius = std::max(std::abs(d.low), std::abs(d.high));
     const double scale = length.low > 0 ? 2 / (length.low + length.high) : 0.0;
@@ -101,7 +125,7 @@ Bounds bounds_of(const FaceShape& shape, const ObjectData& object) {
 ReferenceObject reference_object(const SceneObject& object, const ReferenceTexels<std::uint16_t>& heights,
                                  const ReferenceTexels<std::uint8_t>& opacity) {
     const Displacement& d = object.displacement;
-    return {&object.mesh, d.amplitude, d.midlevel, d.wrap, heights, opacity};
+    return {&object.mesh, d.amplitude, d.midlevel, d.wrap, heights, opacity, d.procedural};
 }
 
 struct ReferenceSurface::State {
@@ -118,17 +142,17 @@ ReferenceSurface::ReferenceSurface(std::span<const ReferenceObject> objects, std
     for (const ReferenceObject& source : objects) {
         check(source);
         const auto index = static_cast<std::uint32_t>(state_->objects.size());
-        state_->objects.push_back({source, CellRanges(source.heights, source.wrap)});
+        state_->objects.emplace_back(source);
         const Mesh& mesh = *source.mesh;
         for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
             if (has_no_area(mesh, mesh.faces[face])) continue;
-            const FaceShape shape =
-                make_face_shape(mesh, index, face, source.heights.width, source.heights.height);
+            const FaceShape shape = make_face_shape(mesh, index, face, state_->objects.back().texel_frame());
             for (const dvec2& b : {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)}) {
                 const dvec2 texel = glm::abs(shape.texel_at(b));
-                if (!(std::max(texel.x, texel.y) < kMostTexels))
+                if (!(std::max(texel.x, texel.y) < (source.procedural ? kMostVirtualTexels : kMostTexels)))
                     throw std::invalid_argument("face " + std::to_string(face) +
-                                                ": its texture coordinates lie beyond 2^50 texels");
+                                                ": its texture coordinates lie beyond 2^50 texels, or 2^22 of "
+                                                "procedural heights");
             }
             boxes.push_back(bounds_of(shape, state_->objects.back()));
             state_->shapes.push_back(shape);
@@ -177,9 +201,7 @@ ReferenceAnswer ReferenceSurface::trace(const dvec3& origin, const dvec3& direct
 ReferencePoint ReferenceSurface::evaluate(std::uint32_t object, std::uint32_t face, double b1,
                                           double b2) const {
     const ObjectData& data = state_->objects[object];
-    const dvec2 size(data.source.heights.width, data.source.heights.height);
-    const FaceShape shape = make_face_shape(*data.source.mesh, object, face, data.source.heights.width,
-                                            data.source.heights.height);
+    const FaceShape shape = make_face_shape(*data.source.mesh, object, face, data.texel_frame());
     const DomainPoint at{{b1, b2}, shape.texel_at({b1, b2})};
     const CellPatch patch = data.patch(data.cover(at.texel, at.texel));
     const SurfaceJet jet = shape.jet(patch, at);
@@ -187,7 +209,7 @@ ReferencePoint ReferenceSurface::evaluate(std::uint32_t object, std::uint32_t fa
     const double length = glm::length(across);
     const dvec3 fallback = glm::cross(shape.p1, shape.p2);
     return {jet.s, length > 0 ? across / length : glm::normalize(fallback), patch.at(at.texel),
-            (at.texel + 0.5) / size};
+            data.uv_at(at.texel)};
 }
 
 }  // namespace relievo

@@ -1,7 +1,8 @@
 // The double-precision reference: the first hit of a ray with the canonical surface of DESIGN.md section 1,
 //   S(b) = P(b) + D(uv(b)) N(b)/|N(b)|,   D = amplitude (map(uv) - midlevel),
 // found on the CPU by subdivision with conservative bounds, so that it cannot miss: no step, no sampling. It
-// is the judge of every method, so it shares no code with them.
+// is the judge of every method, so it shares no code with them (but
+// for what procedural heights are, shaders/geometry/procedural.glsl in double).
 //
 // What it answers, exactly:
 //  - S is two-sided and ends at the mesh's open borders; triangles are closed, so a ray through an edge or a
@@ -38,9 +39,10 @@ struct ReferenceObject {
     const Mesh* mesh = nullptr;
     double amplitude = 0, midlevel = 0.5;  // as in Displacement
     Wrap wrap = Wrap::repeat;
-    ReferenceTexels<std::uint16_t> heights;
+    ReferenceTexels<std::uint16_t> heights;  // or the exemplar of procedural ones
     ReferenceTexels<std::uint8_t>
         opacity;  // no texels: opaque; bilinear, wraps as the heights; under 127.5 is a hole
+    std::optional<Procedural> procedural = {};  // the heights are not the texels, but made of them
 };
 
 // The scene's object with its map (and opacity map, if it has one).
@@ -86,7 +88,7 @@ class ReferenceSurface {
                                                         << 20;  // a ray; an ordinary one takes some hundred
 
     // Copies the geometry in double and makes a min-max pyramid of every map. Throws std::invalid_argument on
-    // an empty map, or texture coordinates beyond 2^50 texels.
+    // an empty map, or texture coordinates beyond 2^50 texels (2^22 of procedural heights).
     explicit ReferenceSurface(std::span<const ReferenceObject> objects,
                               std::uint64_t node_limit = kStandardNodeLimit);
     ~ReferenceSurface();

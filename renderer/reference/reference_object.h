@@ -1,8 +1,12 @@
 // An object inside the reference: its heights with their bounds, and its holes.
 #pragma once
 
-#include "renderer/reference/cell_ranges.h"
+#include <memory>
+
+#include "renderer/procedural/procedural_source.h"
+#include "renderer/reference/cell_heights.h"
 #include "renderer/reference/face_shape.h"
+#include "renderer/reference/reference.h"
 
 namespace relievo::reference {
 
@@ -12,8 +16,14 @@ struct Interval {
 
 struct ObjectData {
     ReferenceObject source;
-    CellRanges ranges;
+    std::shared_ptr<const ProceduralSource> procedural;  // empty: the heights are a map
+    std::shared_ptr<const CellHeights> heights;
 
+    explicit ObjectData(const ReferenceObject& object);
+
+    // Texel coordinates are texture coordinates times `scale`, plus `shift`.
+    TexelFrame texel_frame() const;
+    glm::dvec2 uv_at(const glm::dvec2& texel) const;
     double displacement(double count) const { return source.amplitude * (count / 65535.0 - source.midlevel); }
     Interval displacement(const HeightRange& counts) const;
     CellPatch patch(const Cells& single) const;

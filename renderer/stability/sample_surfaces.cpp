@@ -15,6 +15,7 @@ ReferenceObject SampleSurface::object() const {
     ReferenceObject object{&mesh, amplitude, midlevel, wrap, {width, height, texels.data()}, {}};
     if (!opacity.empty())
         object.opacity = {opacity_width, static_cast<int>(opacity.size()) / opacity_width, opacity.data()};
+    object.procedural = procedural;
     return object;
 }
 
@@ -23,6 +24,7 @@ SceneObject SampleSurface::scene_object() const {
     object.displacement.amplitude = amplitude;
     object.displacement.midlevel = midlevel;
     object.displacement.wrap = wrap;
+    object.displacement.procedural = procedural;
     object.mesh = mesh;
     return object;
 }

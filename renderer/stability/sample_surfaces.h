@@ -18,6 +18,7 @@ struct SampleSurface {
     Wrap wrap = Wrap::repeat;
     std::vector<std::uint8_t> opacity;  // opacity_width texels a row; empty: opaque
     int opacity_width = 0;
+    std::optional<Procedural> procedural = {};  // the texels are the exemplar of procedural heights
 
     ReferenceObject object() const;
     SceneObject scene_object() const;  // without files: the map goes beside it
