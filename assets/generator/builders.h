@@ -16,6 +16,7 @@ struct Sculpture {
     HeightFunction height;
     FreeHeightFunction free_height = {};  // for texels in no island
     HeightFunction opacity = {};          // empty: opaque; else over 0.5 is solid
+    std::function<double(double, double)> exemplar = {};  // of u and v: the map is a whole image, not of islands
 };
 
 // A box's grid projected to the sphere at evenly spaced angles: six islands, one a face.
@@ -78,5 +79,6 @@ Sculpture make_orb();
 Sculpture make_stump();
 Sculpture make_knot();
 Sculpture make_fur();
+Sculpture make_scree();
 
 }  // namespace relievo::assets

@@ -102,6 +102,45 @@ Cells cellular_noise(glm::dvec3 p, std::uint32_t seed) {
     return {std::sqrt(nearest), std::sqrt(second), id};
 }
 
+namespace {
+
+std::uint32_t wrapped(double x, std::uint32_t period) {
+    return static_cast<std::uint32_t>(x - std::floor(x / period) * period) % period;
+}
+
+}  // namespace
+
+double tiled_noise(double x, double y, std::uint32_t period, std::uint32_t seed) {
+    const double fx = std::floor(x), fy = std::floor(y), px = x - fx, py = y - fy;
+    double corner[4];
+    for (int k = 0; k < 4; ++k) {
+        const double dx = k & 1, dy = k >> 1;
+        const std::uint32_t h = hash(wrapped(fx + dx, period), wrapped(fy + dy, period), period, seed);
+        corner[k] = slope(h, px - dx, py - dy, 0.0);
+    }
+    return mix(mix(corner[0], corner[1], fade(px)), mix(corner[2], corner[3], fade(px)), fade(py));
+}
+
+Cells tiled_cellular_noise(double x, double y, std::uint32_t period, std::uint32_t seed) {
+    const double fx = std::floor(x), fy = std::floor(y);
+    double nearest = 1e9, second = 1e9;
+    std::uint32_t id = 0;
+    for (int k = 0; k < 9; ++k) {
+        const double cx = fx + k % 3 - 1, cy = fy + k / 3 - 1;
+        const std::uint32_t h = hash(wrapped(cx, period), wrapped(cy, period), period, seed);
+        const double dx = cx + (h & 1023) / 1024.0 - x, dy = cy + (h >> 10 & 1023) / 1024.0 - y;
+        const double d = dx * dx + dy * dy;
+        if (d < nearest) {
+            second = nearest;
+            nearest = d;
+            id = h;
+        } else if (d < second) {
+            second = d;
+        }
+    }
+    return {std::sqrt(nearest), std::sqrt(second), id};
+}
+
 glm::dvec3 scattered_direction(int i, int count, std::uint32_t seed) {
     const auto n = static_cast<std::uint32_t>(i);
     const double golden_turn = 2.39996322972865332;

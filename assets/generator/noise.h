@@ -27,6 +27,10 @@ struct Cells {
 };
 Cells cellular_noise(glm::dvec3 p, std::uint32_t seed);
 
+// The same two in the plane, with the whole number `period` as their period along both axes.
+double tiled_noise(double x, double y, std::uint32_t period, std::uint32_t seed);
+Cells tiled_cellular_noise(double x, double y, std::uint32_t period, std::uint32_t seed);
+
 // The i-th of `count` points spread evenly and irregularly over the unit sphere.
 glm::dvec3 scattered_direction(int i, int count, std::uint32_t seed);
 

@@ -8,6 +8,7 @@
 
 #include "assets/generator/atlas.h"
 #include "assets/generator/builders.h"
+#include "assets/generator/portable_math.h"
 #include "assets/generator/strokes.h"
 
 namespace relievo::assets {
@@ -26,7 +27,8 @@ constexpr Entry kEntries[] = {{"plane", make_plane},
                               {"orb", make_orb},
                               {"stump", make_stump},
                               {"knot", make_knot},
-                              {"fur", make_fur}};
+                              {"fur", make_fur},
+                              {"scree", make_scree}};
 
 // Single-channel PNG of 16 or 8 bits. `map` has row 0 at the bottom, the file has it last.
 void write_png(const fs::path& path, const std::vector<std::uint16_t>& map, int size, int bits) {
@@ -50,6 +52,15 @@ void write_png(const fs::path& path, const std::vector<std::uint16_t>& map, int 
     if (!done) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
+std::vector<std::uint16_t> paint_exemplar(int size, const std::function<double(double, double)>& value) {
+    std::vector<std::uint16_t> map;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            map.push_back(static_cast<std::uint16_t>(
+                65535 * clamp01(value((x + 0.5) / size, (y + 0.5) / size)) + 0.5));
+    return map;
+}
+
 void make_sample(const Entry& entry, const Options& options) {
     const Sculpture sculpture = entry.make();
     const std::string name = entry.name;
@@ -58,7 +69,10 @@ void make_sample(const Entry& entry, const Options& options) {
     const Atlas atlas(sculpture.shape);
     const fs::path maps = options.output / "maps";
     write_png(maps / (name + ".png"),
-              atlas.paint(options.size, 65535, sculpture.height, sculpture.free_height), options.size, 16);
+              sculpture.exemplar
+                  ? paint_exemplar(options.size, sculpture.exemplar)
+                  : atlas.paint(options.size, 65535, sculpture.height, sculpture.free_height),
+              options.size, 16);
     if (sculpture.opacity)
         write_png(maps / (name + "_opacity.png"), atlas.paint(options.size, 255, sculpture.opacity, {}),
                   options.size, 8);

@@ -20,7 +20,8 @@ constexpr int kSize = 128;
 std::array<ImageComparison, 3> compare_scene(const std::string& name) {
     const Scene scene = load_scene(std::filesystem::path(RELIEVO_SAMPLE_SCENES) / (name + ".json"));
     const SceneObject& object = scene.objects.at(0);
-    const LoadedMap map = load_map(object.displacement.map);
+    const auto& procedural = object.displacement.procedural;
+    const LoadedMap map = load_map(procedural ? procedural->exemplar : object.displacement.map);
     const int width = map.map.width(), height = map.map.height();
     const HeightView view{width, height, map.map.texels().data()};
     OpacityMap opacity;
@@ -56,7 +57,7 @@ TEST_P(SampleScenes, MethodsKeepTheirPromises) {
 
 INSTANTIATE_TEST_SUITE_P(All, SampleScenes,
                          testing::Values("plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot",
-                                         "fur"),
+                                         "fur", "scree"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

@@ -82,12 +82,15 @@ TEST_P(Paths, EditsAreSeenOnAll) {
 
 // Every sample scene, with its own map, textures and lights.
 TEST_P(Paths, SampleScenesAreEqualOnAll) {
-    for (const char* name : {"plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot", "fur"}) {
+    for (const char* name : {"plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot", "fur", "scree"}) {
         SCOPED_TRACE(name);
         const Scene scene = load_scene(std::string(RELIEVO_SAMPLE_SCENES) + "/" + name + ".json");
         std::vector<HeightMap> maps;
         std::vector<HeightView> views;
-        for (const SceneObject& o : scene.objects) maps.push_back(load_map(o.displacement.map).map);
+        for (const SceneObject& o : scene.objects) {
+            const auto& procedural = o.displacement.procedural;
+            maps.push_back(load_map(procedural ? procedural->exemplar : o.displacement.map).map);
+        }
         for (const HeightMap& m : maps) views.push_back({m.width(), m.height(), m.texels().data()});
         const auto layers = [&](TracePath path) {
             RenderSettings settings = on(path, settings_of(scene));

@@ -72,6 +72,22 @@ TEST(ProceduralScenes, MixWithMapsAndKeepTheirPlaces) {
     EXPECT_NEAR(hits[1].position.y, -3.15, 1e-5);
 }
 
+TEST_P(ProceduralHeights, LookTheSameWithEverythingOn) {
+    Scene scene = make_scene(ball_mesh(), 0.3);
+    scene.objects[0].displacement.procedural = Procedural{};
+    const Exemplar exemplar = rough_exemplar(64, 64);
+    const HeightView view{64, 64, exemplar.texels.data()};
+    std::vector<float> images[2];
+    for (const bool everything : {false, true}) {
+        RenderSettings settings = settings_of(scene);
+        settings.everything = everything;
+        Renderer renderer(device(), scene, std::span(&view, 1), settings);
+        renderer.render();
+        images[everything ? 1 : 0] = renderer.read_back(Layer::beauty);
+    }
+    EXPECT_EQ(images[0], images[1]);
+}
+
 TEST(ProceduralScenes, FollowTheirSettings) {
     Scene scene = make_scene(plane_mesh(), 0.3);
     scene.objects[0].displacement.procedural = Procedural{};
