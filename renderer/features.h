@@ -37,6 +37,7 @@ struct Features {
     bool procedural = false;     // heights made of an exemplar
     bool searched = false;       // search of triangles whose shell folds
     TracePath path = TracePath::ray_query;  // never automatic
+    bool operator==(const Features&) const = default;
 };
 
 struct FeatureRequest {

@@ -236,8 +236,7 @@ void GpuScene::upload_pyramid(Object& object, const std::vector<HeightPyramid::N
 DisplacementRange GpuScene::range_of(const Object& object, std::uint32_t face) const {
     double low, high;
     if (object.source) {
-        const auto& uv = object.mesh.faces[face].uv;
-        const auto range = object.source->range({object.mesh.uvs[uv[0]], object.mesh.uvs[uv[1]], object.mesh.uvs[uv[2]]});
+        const auto range = object.source->range(object.mesh, face);
         low = range.low, high = range.high;
     } else {
         const HeightRange counts = object.bounds->range(object.mesh, face);

@@ -305,16 +305,15 @@ void Renderer::set_displacement(std::size_t object, double amplitude, double mid
     s.restart();
 }
 
-void Renderer::set_procedural(std::size_t object, const Procedural& source, const HeightView& exemplar) {
+void Renderer::set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights) {
     State& s = *state_;
-    std::optional<Procedural>& own = s.scene.objects.at(object).displacement.procedural;
-    if (!own) throw std::logic_error("the object's heights are a map");
-    own = source;
-    s.maps[object] = exemplar;
+    s.scene.objects.at(object).displacement = displacement;
+    s.maps[object] = heights;
+    const Features before = s.features;
     s.build_scene();
     s.write_addresses();
     s.gpu_scene->write_bindings(s.set);
-    s.follow_search();
+    if (s.features != before) s.make_passes();
     s.apply_parameters();
     s.restart();
 }

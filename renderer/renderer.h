@@ -114,8 +114,8 @@ class Renderer {
     void set_lights(const std::vector<Light>& lights, const Environment& environment);
     void set_material(std::size_t object, const Material& material);
     void set_displacement(std::size_t object, double amplitude, double midlevel);  // new bounds for all triangles
-    // Of an object whose heights are procedural already; makes the device's scene anew. The exemplar need not outlive it.
-    void set_procedural(std::size_t object, const Procedural& source, const HeightView& exemplar);
+    // Other heights for an object: another map, an exemplar, or the same one otherwise read. Makes the device's scene anew.
+    void set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights);
     void set_method(const std::string& name, const std::map<std::string, double>& parameters);
     void resize(int width, int height);
     void restart();                        // forget all samples

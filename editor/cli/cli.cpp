@@ -51,6 +51,7 @@ int parse_and_run(const std::vector<std::string>& given, const EditorEntry& edit
     add_render(app, command);
     add_replay(app, command);
     add_compare(app, command);
+    add_bake(app, command);
     add_explain(app, command);
     add_devices(app, command);
     std::vector<std::string> words = with_verb(given, app);

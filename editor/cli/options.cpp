@@ -19,18 +19,6 @@ bool parse_whole(std::string_view text, Number& value) {
     return error == std::errc{} && end == text.data() + text.size() && !text.empty();
 }
 
-ImageSize parse_size(const std::string& text) {
-    ImageSize size;
-    const auto x = text.find('x');
-    const bool whole = x != std::string::npos &&
-                       parse_whole(std::string_view(text).substr(0, x), size.width) &&
-                       parse_whole(std::string_view(text).substr(x + 1), size.height);
-    if (!whole || size.width < 1 || size.height < 1 || size.width > kMaxPixels || size.height > kMaxPixels)
-        throw std::invalid_argument("--size: is \"" + text +
-                                    "\", must be WxH with both from 1 to 16384, like 640x480");
-    return size;
-}
-
 std::pair<std::string, double> parse_parameter(const std::string& text) {
     const auto equals = text.find('=');
     const std::string word = equals == std::string::npos ? "" : text.substr(equals + 1);
@@ -60,6 +48,18 @@ std::string parameter_help() {
 }
 
 }  // namespace
+
+ImageSize parse_size(const std::string& text) {
+    ImageSize size;
+    const auto x = text.find('x');
+    const bool whole = x != std::string::npos &&
+                       parse_whole(std::string_view(text).substr(0, x), size.width) &&
+                       parse_whole(std::string_view(text).substr(x + 1), size.height);
+    if (!whole || size.width < 1 || size.height < 1 || size.width > kMaxPixels || size.height > kMaxPixels)
+        throw std::invalid_argument("--size: is \"" + text +
+                                    "\", must be WxH with both from 1 to 16384, like 640x480");
+    return size;
+}
 
 void add_common(CLI::App& verb, CommonOptions& options) {
     verb.add_option("--device", options.device,

@@ -21,6 +21,7 @@ void add_edit(CLI::App& app, Command& command, const EditorEntry& editor);
 void add_render(CLI::App& app, Command& command);
 void add_replay(CLI::App& app, Command& command);
 void add_compare(CLI::App& app, Command& command);
+void add_bake(CLI::App& app, Command& command);
 void add_explain(CLI::App& app, Command& command);
 void add_devices(CLI::App& app, Command& command);
 
@@ -45,6 +46,7 @@ void add_picture(CLI::App& verb, PictureOptions& options);
 // Checks and converts. Throws std::invalid_argument naming the option.
 SessionOptions session_options(const CommonOptions& common, const MethodOptions& method,
                                const PictureOptions& picture = {});
+ImageSize parse_size(const std::string& text);  // WxH, both from 1 to 16384, of --size
 ImageSize size_of(const PictureOptions& picture, const Scene& scene);
 int samples_of(const PictureOptions& picture, const Scene& scene);
 

@@ -84,6 +84,7 @@ double counts_at(const Session& session, const PickHit& hit) {
     const glm::dvec2 uv = glm::dvec2(object.mesh.uvs[face.uv[0]]) * (1.0 - hit.b1 - hit.b2) +
                           glm::dvec2(object.mesh.uvs[face.uv[1]]) * static_cast<double>(hit.b1) +
                           glm::dvec2(object.mesh.uvs[face.uv[2]]) * static_cast<double>(hit.b2);
+    if (const auto source = session.procedural(0)) return 65535 * source->value(source->texel_at(uv));
     return map_value(map, object.displacement.wrap, uv);
 }
 

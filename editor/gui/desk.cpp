@@ -37,6 +37,11 @@ void Desk::set(const std::string& key, const SetValue& value) {
     if (attempt([&] { session.set(key, value); })) live.in_motion();
 }
 
+// Named from the scene's folder, so that the journal can move with the scene.
+void Desk::set_exemplar(const std::filesystem::path& path) {
+    set("procedural.exemplar", path.lexically_proximate(session.scene().path.parent_path()).generic_string());
+}
+
 void Desk::set_camera(const Camera& camera) {
     if (attempt([&] { session.set_camera(camera); })) live.in_motion();
 }

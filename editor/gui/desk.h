@@ -26,7 +26,7 @@ struct Departure {
 };
 
 // A dialog that the next frame opens.
-enum class Dialog { none, keys, open, new_map, save_as, export_map, save_picture, unsaved, recovery };
+enum class Dialog { none, keys, open, new_map, save_as, export_map, save_picture, unsaved, recovery, exemplar };
 
 // A brush setting that follows the pointer until a click.
 enum class BrushDrag { none, radius, strength };
@@ -62,6 +62,7 @@ class Desk {
     std::optional<Departure> departure;       // decided
 
     void set(const std::string& key, const SetValue& value);  // settings.h
+    void set_exemplar(const std::filesystem::path& path);  // of procedural heights
     void set_camera(const Camera& camera);
     void undo();
     void redo();

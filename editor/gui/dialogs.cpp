@@ -157,6 +157,12 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
                 {"Save the picture as far as it is refined", "Save", {".png", ".exr"}, true, {}},
                 std::filesystem::absolute(desk.session.scene().path.stem()).replace_extension(".png"));
             break;
+        case Dialog::exemplar: {
+            const auto& source = desk.session.scene().objects.front().displacement.procedural;
+            if (!source) return;
+            files_.open({"Choose an exemplar", "Choose", {".png", ".tif", ".tiff", ".exr"}, false, {}}, source->exemplar);
+            break;
+        }
         case Dialog::save_as: {
             const std::filesystem::path scene = desk.session.scene().path;
             const auto fresh = scene.parent_path() / (scene.stem().string() + ".tif");
@@ -173,6 +179,7 @@ void Dialogs::draw_files(Desk& desk) {
     const auto path = files_.draw();
     if (path && file_purpose_ == Dialog::open) desk.open_file(*path);
     if (path && file_purpose_ == Dialog::save_picture) desk.save_picture(*path);
+    if (path && file_purpose_ == Dialog::exemplar) desk.set_exemplar(*path);
     if (file_purpose_ != Dialog::save_as || !was_open || files_.is_open()) return;
     const auto waiting = std::exchange(desk.pending, std::nullopt);  // a save on the way out
     if (path && desk.save_to(*path)) desk.departure = waiting;

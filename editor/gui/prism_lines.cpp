@@ -90,13 +90,23 @@ void PrismLines::follow(const Session& session) {
             object.closed =
                 std::none_of(edges.begin(), edges.end(), [](const MeshEdge& e) { return e.is_border(); });
         }
+        object.range.clear();
+        const auto add = [&](double low, double high) {  // counts
+            const double a = displacement_of(d, low), b = displacement_of(d, high);
+            object.range.emplace_back(std::min(a, b), std::max(a, b));
+        };
+        if (const auto source = session.procedural(i)) {
+            for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+                const auto range = source->range(mesh, face);
+                add(65535 * range.low, 65535 * range.high);
+            }
+            continue;
+        }
         const HeightMap& map = session.map_of(i);
         const HeightBounds bounds(map.width(), map.height(), map.texels().data(), d.wrap);
-        object.range.clear();
         for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
             const HeightRange counts = bounds.range(mesh, face);
-            const double a = displacement_of(d, counts.low), b = displacement_of(d, counts.high);
-            object.range.emplace_back(std::min(a, b), std::max(a, b));
+            add(counts.low, counts.high);
         }
     }
 }

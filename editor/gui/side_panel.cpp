@@ -83,9 +83,11 @@ void draw_map_section(Desk& desk) {
     const HeightMap& map = desk.session.map();
     const Displacement& d = desk.session.scene().objects.front().displacement;
     const auto path = desk.session.map_path();
-    text_row("File", path ? path->filename().string() : "not saved yet");
-    if (path) tooltip(path->string());
-    text_row("Texels", std::to_string(map.width()) + " x " + std::to_string(map.height()) + ", 16 bit");
+    if (!d.procedural) {
+        text_row("File", path ? path->filename().string() : "not saved yet");
+        if (path) tooltip(path->string());
+    }
+    text_row(d.procedural ? "Exemplar" : "Texels", std::to_string(map.width()) + " x " + std::to_string(map.height()) + ", 16 bit");
     auto amplitude = static_cast<float>(d.amplitude);
     const float most = std::max(desk.mesh_radius(), std::abs(amplitude));
     if (slider_row("Amplitude", amplitude, {-most, most, false, "%.4g"},
@@ -101,6 +103,7 @@ void draw_side_panel(Desk& desk, const Box& box) {
     ImGui::BeginChild("sections", ImVec2(0, 0), false, ImGuiWindowFlags_NoNav);
     draw_brush_section(desk);
     draw_map_section(desk);
+    draw_source_section(desk);
     draw_method_section(desk);
     draw_lights_section(desk);
     draw_render_section(desk);

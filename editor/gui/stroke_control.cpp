@@ -14,11 +14,15 @@ void StrokeControl::begin(const InputEvent& event) {
     Brush brush = chosen;
     if (event.mods & GLFW_MOD_SHIFT) brush.tool = Tool::smooth;
     if (event.mods & GLFW_MOD_CONTROL) brush.invert = !brush.invert;
-    check_brush(brush);
-    live_->begin_stroke();
     session_->brush() = brush;
-    session_->begin_stroke();
+    try {
+        session_->begin_stroke();
+    } catch (...) {
+        session_->brush() = chosen;
+        throw;
+    }
     session_->brush() = chosen;
+    live_->begin_stroke();
     Session& session = *session_;
     LivePicture& live = *live_;
     input_.emplace(

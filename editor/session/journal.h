@@ -50,6 +50,11 @@ struct SetOp {
     SetValue value;
     bool operator==(const SetOp&) const = default;
 };
+// The procedural heights became a map of this size, which strokes go on from.
+struct BakeOp {
+    ImageSize size;
+    bool operator==(const BakeOp&) const = default;
+};
 struct ExpectOp {  // the map's hash at this point
     std::uint64_t map = 0;
     bool operator==(const ExpectOp&) const = default;
@@ -75,7 +80,7 @@ struct SaveOp {
     std::optional<std::uint64_t> map;
     bool operator==(const SaveOp&) const = default;
 };
-using JournalOp = std::variant<StrokeOp, UndoOp, RedoOp, SetOp, ExpectOp, ExpectImageOp, RenderOp, SaveOp>;
+using JournalOp = std::variant<StrokeOp, UndoOp, RedoOp, SetOp, BakeOp, ExpectOp, ExpectImageOp, RenderOp, SaveOp>;
 
 struct JournalEntry {
     int line = 0;  // 1-based, for messages

@@ -99,6 +99,9 @@ struct Formatter {
         }
         return text + "}";
     }
+    std::string operator()(const BakeOp& op) const {
+        return R"({"op":"bake","size":[)" + shortest(op.size.width) + "," + shortest(op.size.height) + "]}";
+    }
     std::string operator()(const ExpectOp& op) const {
         return R"({"op":"expect","map":")" + hash_text(op.map) + "\"}";
     }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "brushes/height_map.h"
 #include "editor/session/journal.h"
 #include "editor/session/text.h"
 
@@ -210,6 +211,11 @@ JournalOp read_op(const json& value, const std::string& where) {
     if (name == "undo") return Fields(value, where, {"op"}), UndoOp{};
     if (name == "redo") return Fields(value, where, {"op"}), RedoOp{};
     if (name == "set") return read_set(value, where);
+    if (name == "bake") {
+        const Fields fields(value, where, {"op", "size"});
+        fields.at("size");
+        return BakeOp{*fields.size("size", HeightMap::kMaxSize)};
+    }
     if (name == "expect") return ExpectOp{Fields(value, where, {"op", "map"}).hash("map")};
     if (name == "expect_image") {
         const Fields fields(value, where, {"op", "image", "tolerance", "spp", "size"});
@@ -228,7 +234,7 @@ JournalOp read_op(const json& value, const std::string& where) {
     }
     throw std::invalid_argument(
         where + ": op: is \"" + name +
-        "\", must be one of stroke, undo, redo, set, expect, expect_image, render, save");
+        "\", must be one of stroke, undo, redo, set, bake, expect, expect_image, render, save");
 }
 
 JournalHeader read_header(const json& value, const std::string& where) {

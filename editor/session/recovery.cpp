@@ -42,6 +42,7 @@ std::optional<AbandonedJournal> read_abandoned(const fs::path& path) {
         for (const JournalEntry& entry : journal.entries) {
             if (std::holds_alternative<SaveOp>(entry.op)) found.edits = 0;
             found.edits += std::holds_alternative<StrokeOp>(entry.op) ||
+                           std::holds_alternative<BakeOp>(entry.op) ||
                            std::holds_alternative<UndoOp>(entry.op) ||
                            std::holds_alternative<RedoOp>(entry.op);
         }

@@ -75,6 +75,7 @@ class Replayer {
             if (op.dabs[i].face >= faces)
                 fail("dabs[" + std::to_string(i) + "][1]: is " + std::to_string(op.dabs[i].face) +
                      ", the mesh has " + std::to_string(faces) + " faces, counted from 0");
+        if (session_.procedural(0)) fail("stroke: the heights are procedural; a bake comes first");
         session_.brush() = op.brush;
         session_.begin_stroke();
         for (const Dab& dab : op.dabs) {
@@ -97,6 +98,14 @@ class Replayer {
     void operator()(const SetOp& op) {
         try {
             session_.set(op.key, op.value);
+        } catch (const std::invalid_argument& error) {
+            fail(error.what());
+        }
+    }
+
+    void operator()(const BakeOp& op) {
+        try {
+            session_.bake(op.size);
         } catch (const std::invalid_argument& error) {
             fail(error.what());
         }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "brushes/sculptor.h"
+#include "editor/session/bake.h"
 #include "editor/session/mesh_hash.h"
 #include "editor/session/recorder.h"
 #include "editor/session/scene_input.h"
@@ -21,6 +22,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Empty where the heights are a map. Throws where the mesh reaches too far over the exemplar.
+std::shared_ptr<const ProceduralSource> source_of(const Mesh& mesh, const Displacement& displacement,
+                                                  const HeightMap& exemplar) {
+    if (!displacement.procedural) return nullptr;
+    auto source = std::make_shared<ProceduralSource>(*displacement.procedural, exemplar.width(), exemplar.height(),
+                                                     exemplar.texels().data());
+    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) source->texels_at(corner_uvs(mesh, face));
+    return source;
+}
+
 double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -33,8 +44,12 @@ struct Session::State {
           scene(open_scene(scene_file, options.method, options.parameters)),
           start_map(options.map.empty() ? displacement().map : options.map),
           file(open_map(displacement(), start_map, traced_by())),
-          surface(scene.objects.front().mesh, displacement(), file.map),
-          sculptor(file.map, surface, options.undo_budget) {
+          source(source_of(scene.objects.front().mesh, displacement(), file.map)) {
+        if (source && !options.map.empty())
+            throw std::invalid_argument(options.map.string() +
+                                        ": the scene's heights are procedural; there is no map to put this in place of");
+        surface.emplace(scene.objects.front().mesh, displacement(), file.map);
+        sculptor.emplace(file.map, *surface, options.undo_budget);
         brush.radius = scene.objects.front().mesh.sphere_radius * 0.1f;
         if (!displacement().map.empty()) map_path = displacement().map;
         const bool recording = !options.journal.empty() || options.recovery;
@@ -61,6 +76,7 @@ struct Session::State {
         for (std::size_t i = 1; i < scene.objects.size(); ++i) {
             const Displacement& other = scene.objects[i].displacement;
             others.push_back(open_map(other, other.map, traced_by()));
+            other_sources.push_back(source_of(scene.objects[i].mesh, other, others.back().map));
         }
         view = std::make_unique<SessionView>(scene, maps(), options);
     }
@@ -71,8 +87,26 @@ struct Session::State {
         return all;
     }
 
+    // Other heights for the edited object: another map or exemplar where `fresh` holds one. Undo steps end there.
+    // Throws before anything has changed.
+    void take_heights(const Displacement& wanted, std::optional<LoadedMap> fresh) {
+        SceneObject& object = scene.objects.front();
+        auto made = source_of(object.mesh, wanted, fresh ? fresh->map : file.map);
+        object.displacement = wanted;
+        source = std::move(made);
+        if (fresh) {
+            sculptor.reset();
+            surface.reset();
+            file = std::move(*fresh);
+            surface.emplace(object.mesh, displacement(), file.map);
+            sculptor.emplace(file.map, *surface, options.undo_budget);
+        }
+        ++revision;
+        if (view) view->set_heights(displacement(), file.map);
+    }
+
     void require_no_stroke() const {
-        if (sculptor.in_stroke()) throw std::logic_error("end the stroke first");
+        if (sculptor->in_stroke()) throw std::logic_error("end the stroke first");
     }
 
     // Runs one edit of the map, books it, then shows it: what happened to the map is recorded even if the
@@ -97,9 +131,11 @@ struct Session::State {
     fs::path start_map;  // empty: a new flat map
     LoadedMap file;
     std::vector<LoadedMap> others;  // of the objects that are not edited, where there is a renderer
+    std::vector<std::shared_ptr<const ProceduralSource>> other_sources;
     std::uint64_t revision = 0;     // of file.map
-    MeshSurface surface;
-    Sculptor sculptor;
+    std::shared_ptr<const ProceduralSource> source;  // of file.map as the exemplar; empty: it is the heights
+    std::optional<MeshSurface> surface;
+    std::optional<Sculptor> sculptor;
     std::unique_ptr<SessionView> view;
     JournalHeader header;
     std::unique_ptr<Recorder> recorder;
@@ -128,7 +164,10 @@ const HeightMap& Session::map() const {
     return state_->file.map;
 }
 const Surface& Session::surface() const {
-    return state_->surface;
+    return *state_->surface;
+}
+std::shared_ptr<const ProceduralSource> Session::procedural(std::size_t object) const {
+    return object == 0 ? state_->source : state_->other_sources.at(object - 1);
 }
 const HeightMap& Session::map_of(std::size_t object) const {
     return object == 0 ? state_->file.map : state_->others.at(object - 1).map;
@@ -172,28 +211,30 @@ Brush& Session::brush() {
 void Session::begin_stroke() {
     State& s = *state_;
     s.require_no_stroke();
+    if (s.source)
+        throw std::invalid_argument("the heights are procedural: bake them into a map first, then sculpt that");
     check_brush(s.brush);
-    s.sculptor.begin(s.brush);
+    s.sculptor->begin(s.brush);
     s.stroke = {s.brush, {}};
     s.touched.reset();
 }
 
 void Session::dab(const Dab& dab) {
     State& s = *state_;
-    s.apply([&] { return s.sculptor.dab(dab); }, [&] { s.stroke.dabs.push_back(dab); });
+    s.apply([&] { return s.sculptor->dab(dab); }, [&] { s.stroke.dabs.push_back(dab); });
     constexpr auto kOne = static_cast<float>(Dab::kBarycentricOne);
     s.touched = Touched{
-        s.surface.at(dab.face, static_cast<float>(dab.b1) / kOne, static_cast<float>(dab.b2) / kOne).position,
+        s.surface->at(dab.face, static_cast<float>(dab.b1) / kOne, static_cast<float>(dab.b2) / kOne).position,
         s.stroke.brush.radius};
 }
 
 void Session::end_stroke() {
     State& s = *state_;
     if (s.stroke.dabs.empty()) return cancel_stroke();
-    const std::uint64_t steps_before = s.sculptor.steps_made();
-    s.apply([&] { return s.sculptor.end(); },
+    const std::uint64_t steps_before = s.sculptor->steps_made();
+    s.apply([&] { return s.sculptor->end(); },
             [&] {
-                if (s.sculptor.steps_made() > steps_before) s.steps.add();
+                if (s.sculptor->steps_made() > steps_before) s.steps.add();
                 s.recorder->record(s.stroke);
             });
     s.restart_image();
@@ -201,19 +242,19 @@ void Session::end_stroke() {
 
 void Session::cancel_stroke() {
     State& s = *state_;
-    s.apply([&] { return s.sculptor.cancel(); }, [] {});
+    s.apply([&] { return s.sculptor->cancel(); }, [] {});
     if (!s.stroke.dabs.empty()) s.restart_image();
 }
 
 bool Session::in_stroke() const {
-    return state_->sculptor.in_stroke();
+    return state_->sculptor->in_stroke();
 }
 
 bool Session::undo() {
     State& s = *state_;
     s.require_no_stroke();
-    if (!s.sculptor.can_undo()) return false;
-    s.apply([&] { return s.sculptor.undo(); },
+    if (!s.sculptor->can_undo()) return false;
+    s.apply([&] { return s.sculptor->undo(); },
             [&] {
                 s.steps.undo();
                 s.recorder->record(UndoOp{});
@@ -225,8 +266,8 @@ bool Session::undo() {
 bool Session::redo() {
     State& s = *state_;
     s.require_no_stroke();
-    if (!s.sculptor.can_redo()) return false;
-    s.apply([&] { return s.sculptor.redo(); },
+    if (!s.sculptor->can_redo()) return false;
+    s.apply([&] { return s.sculptor->redo(); },
             [&] {
                 s.steps.redo();
                 s.recorder->record(RedoOp{});
@@ -238,16 +279,32 @@ bool Session::redo() {
 void Session::set(const std::string& key, const SetValue& value) {
     State& s = *state_;
     s.require_no_stroke();
-    const SettingScope scope = apply_setting(s.scene, key, value);
-    if (scope == SettingScope::displacement)
-        s.surface.set_displacement(static_cast<float>(s.displacement().amplitude),
-                                   static_cast<float>(s.displacement().midlevel));
+    Displacement wanted;
+    const SettingScope scope = apply_setting(s.scene, key, value, wanted);
+    if (scope == SettingScope::heights) {
+        const bool other = wanted.procedural->exemplar != s.displacement().procedural->exemplar;
+        s.take_heights(wanted, other ? std::optional(open_map(wanted, {}, s.traced_by())) : std::nullopt);
+    } else if (scope == SettingScope::displacement) {
+        s.surface->set_displacement(static_cast<float>(s.displacement().amplitude),
+                                    static_cast<float>(s.displacement().midlevel));
+    }
     if (s.view) s.view->follow(scope, s.scene);
     s.recorder->record(SetOp{key, value});
 }
 
 void Session::set_camera(const Camera& camera) {
     set("camera", camera_value(camera));
+}
+
+void Session::bake(const ImageSize& size) {
+    State& s = *state_;
+    s.require_no_stroke();
+    if (!s.source) throw std::invalid_argument("the heights are a map already; there is nothing to bake");
+    check_bakeable(s.scene.objects.front());
+    HeightMap map = relievo::bake(*s.source, size);
+    s.take_heights(baked_displacement(s.displacement(), {}), LoadedMap{std::move(map), {}, MapFormat::tiff16, nullptr});
+    s.steps.add();
+    s.recorder->record(BakeOp{size});
 }
 
 void Session::save(const fs::path& path) {
@@ -293,19 +350,19 @@ bool Session::unsaved() const {
     return state_->steps.unsaved();
 }
 bool Session::can_undo() const {
-    return state_->sculptor.can_undo();
+    return state_->sculptor->can_undo();
 }
 bool Session::can_redo() const {
-    return state_->sculptor.can_redo();
+    return state_->sculptor->can_redo();
 }
 std::size_t Session::undo_bytes() const {
-    return state_->sculptor.undo_bytes();
+    return state_->sculptor->undo_bytes();
 }
 std::size_t Session::undo_budget() const {
-    return state_->sculptor.undo_budget();
+    return state_->sculptor->undo_budget();
 }
 std::size_t Session::clipped_texels() const {
-    return state_->sculptor.clipped_texels();
+    return state_->sculptor->clipped_texels();
 }
 std::optional<fs::path> Session::map_path() const {
     return state_->map_path;

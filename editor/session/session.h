@@ -14,6 +14,7 @@
 #include "brushes/map_file.h"
 #include "brushes/surface.h"
 #include "editor/session/journal.h"
+#include "renderer/procedural/procedural_source.h"
 #include "renderer/renderer.h"
 #include "renderer/scene/scene.h"
 
@@ -51,6 +52,8 @@ class Session {
     const Scene& scene() const;  // as set() left it
     HeightMap& map();            // of the edited object: objects[0]
     const HeightMap& map() const;
+    // Of procedural heights the map is the exemplar, which no stroke edits; bake() makes a map of them.
+    std::shared_ptr<const ProceduralSource> procedural(std::size_t object) const;  // empty: the heights are a map
     const HeightMap& map_of(std::size_t object) const;  // every object's; std::out_of_range beyond them
     std::uint64_t map_revision() const;                 // changes whenever map() does
     const Surface& surface() const;
@@ -74,7 +77,8 @@ class Session {
     // Commands. Each is journaled when it is complete; a stroke is written and flushed at its end, with its
     // dabs; one without dabs leaves no trace. All but dab, end_stroke and cancel_stroke throw
     // std::logic_error in a stroke.
-    void begin_stroke();       // with brush(); std::invalid_argument when a setting is out of its range
+    void begin_stroke();       // with brush(); std::invalid_argument when a setting is out of its range, or
+                               // the heights are procedural
     void dab(const Dab& dab);  // std::out_of_range when the mesh has no such face
     void end_stroke();
     void cancel_stroke();
@@ -83,6 +87,9 @@ class Session {
     bool redo();
     void set(const std::string& key, const SetValue& value);  // keys: settings.h; std::invalid_argument
     void set_camera(const Camera& camera);
+    // Procedural heights become a map of that many texels, to be sculpted; there is no way back but to open the scene
+    // again. Undo steps end here. std::invalid_argument when the heights are a map, or cannot be baked (bake.h).
+    void bake(const ImageSize& size);
     // Writes the map. The extension names the format; metadata and exact values of the file that was loaded
     // are kept where the format is the same. std::invalid_argument when it cannot be written: the old file
     // stays whole.

@@ -27,6 +27,8 @@ void follow_with(Renderer& renderer, SettingScope scope, const Scene& scene) {
             return renderer.set_material(0, object.material);
         case SettingScope::displacement:
             return renderer.set_displacement(0, object.displacement.amplitude, object.displacement.midlevel);
+        case SettingScope::heights:
+            return;
         case SettingScope::method:
             return renderer.set_method(scene.method.name, scene.method.parameters);
     }
@@ -85,6 +87,11 @@ void SessionView::upload(const HeightMap& map, std::span<const TexelRect> rects,
 void SessionView::follow(SettingScope scope, const Scene& scene) {
     follow_with(*renderer_, scope, scene);
     if (second_ && scope != SettingScope::method) follow_with(*second_, scope, scene);
+}
+
+void SessionView::set_heights(const Displacement& displacement, const HeightMap& map) {
+    renderer_->set_heights(0, displacement, view_of(map));
+    if (second_) second_->set_heights(0, displacement, view_of(map));
 }
 
 void SessionView::restart() {

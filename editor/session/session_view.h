@@ -28,7 +28,9 @@ class SessionView {
 
     // Texels of objects[0] that changed. Fills upload_ms, bounds_ms and refit_ms, of both renderers together.
     void upload(const HeightMap& map, std::span<const TexelRect> rects, StageTimes& times);
-    void follow(SettingScope scope, const Scene& scene);
+    void follow(SettingScope scope, const Scene& scene);  // all but heights
+    // objects[0] has other heights.
+    void set_heights(const Displacement& displacement, const HeightMap& map);
     void restart();
     void trace(const PixelRect& window, StageTimes& times);
 

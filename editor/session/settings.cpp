@@ -134,9 +134,37 @@ void set_environment(Environment& environment, const std::string& key, const Set
     }
 }
 
+Displacement set_procedural(const Scene& scene, const std::string& key, const SetValue& value) {
+    Displacement changed = scene.objects.front().displacement;
+    std::optional<Procedural>& source = changed.procedural;
+    if (!source) fail(key, "the heights are a map, not procedural");
+    if (key == "procedural.exemplar") {
+        const auto* file = std::get_if<std::string>(&value);
+        if (!file || file->empty()) fail(key, "must be a string: the exemplar's file");
+        source->exemplar = (scene.path.parent_path() / *file).lexically_normal();
+    } else if (key == "procedural.scale") {
+        source->scale = number(key, value, Procedural::kLeastScale, Procedural::kMostScale);
+    } else if (key == "procedural.offset") {
+        const auto& offset = numbers(key, value, 2);
+        for (const double part : offset)
+            if (std::abs(part) > Procedural::kMostOffset)
+                fail(key, "each part must be " + range_text(-Procedural::kMostOffset, Procedural::kMostOffset));
+        source->offset = {offset[0], offset[1]};
+    } else if (key == "procedural.seed") {
+        const double seed = number(key, value, 0, Procedural::kMostSeed);
+        if (seed != std::floor(seed)) fail(key, "must be a whole number");
+        source->seed = static_cast<std::uint32_t>(seed);
+    } else if (key == "procedural.triangle_size") {
+        source->triangle_size = number(key, value, Procedural::kLeastTriangle, Procedural::kMostTriangle);
+    } else {
+        fail(key, "is not a setting; procedural heights have exemplar, scale, offset, seed, triangle_size");
+    }
+    return changed;
+}
+
 }  // namespace
 
-SettingScope apply_setting(Scene& scene, const std::string& key, const SetValue& value) {
+SettingScope apply_setting(Scene& scene, const std::string& key, const SetValue& value, Displacement& heights) {
     SceneObject& object = scene.objects.front();
     if (key == "amplitude") {
         object.displacement.amplitude = number(key, value, -kMaxReal, kMaxReal);
@@ -145,6 +173,10 @@ SettingScope apply_setting(Scene& scene, const std::string& key, const SetValue&
     if (key == "midlevel") {
         object.displacement.midlevel = number(key, value, 0, 1);
         return SettingScope::displacement;
+    }
+    if (key.starts_with("procedural.")) {
+        heights = set_procedural(scene, key, value);
+        return SettingScope::heights;
     }
     if (key == "camera") {
         scene.camera = camera_of(key, value);
@@ -167,7 +199,7 @@ SettingScope apply_setting(Scene& scene, const std::string& key, const SetValue&
         return SettingScope::lights;
     }
     fail(key,
-         "is not a setting; known are amplitude, midlevel, method, method.PARAMETER, camera, material.*, "
+         "is not a setting; known are amplitude, midlevel, procedural.*, method, method.PARAMETER, camera, material.*, "
          "lights[I].*, "
          "environment.*");
 }

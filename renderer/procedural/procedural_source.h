@@ -17,6 +17,11 @@ namespace relievo {
 
 struct ExemplarView;
 
+inline std::array<glm::dvec2, 3> corner_uvs(const Mesh& mesh, std::uint32_t face) {
+    const auto& uv = mesh.faces[face].uv;
+    return {mesh.uvs[uv[0]], mesh.uvs[uv[1]], mesh.uvs[uv[2]]};
+}
+
 class ProceduralSource {
   public:
     struct Range {  // heights, [0, 1]
@@ -54,6 +59,7 @@ class ProceduralSource {
     // Bounds of the heights over the triangle with these texture coordinates. Conservative, and as tight as
     // some dozen squares over it allow. Throws as texels_at.
     Range range(const std::array<glm::dvec2, 3>& uv) const;
+    Range range(const Mesh& mesh, std::uint32_t face) const { return range(corner_uvs(mesh, face)); }
 
   private:
     struct State;

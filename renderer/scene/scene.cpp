@@ -18,7 +18,6 @@ namespace {
 
 constexpr int kSceneVersion = 1;
 constexpr int kMaxMapSize = 16384, kMaxImageSize = 16384, kMaxSamples = 1 << 20;
-constexpr int kMostSeed = 2147483647;
 constexpr std::size_t kMaxItems = 65536;
 constexpr NumberRange kUnit{0, 1};
 constexpr NumberRange kNotNegative{0, 1e9};
@@ -46,7 +45,7 @@ Procedural read_procedural(const JsonNode& node, const std::filesystem::path& fo
         for (int i = 0; i < 2; ++i)
             p.offset[i] = offset[static_cast<std::size_t>(i)].number({-Procedural::kMostOffset, Procedural::kMostOffset});
     }
-    if (node.has("seed")) p.seed = static_cast<std::uint32_t>(node["seed"].integer(0, kMostSeed));
+    if (node.has("seed")) p.seed = static_cast<std::uint32_t>(node["seed"].integer(0, Procedural::kMostSeed));
     if (node.has("triangle_size"))
         p.triangle_size = node["triangle_size"].number({Procedural::kLeastTriangle, Procedural::kMostTriangle});
     return p;

@@ -23,6 +23,7 @@ enum class NormalSource { file, smooth };
 // texture coordinates offset + (uv - 1/2) scale.
 struct Procedural {
     static constexpr double kLeastScale = 1e-3, kMostScale = 1e3, kMostOffset = 1e3;
+    static constexpr int kMostSeed = 2147483647;
     static constexpr double kLeastTriangle = 1e-3, kMostTriangle = 1e3;
 
     std::filesystem::path exemplar;  // absolute after loading; a map file, which repeats

@@ -35,7 +35,8 @@ const std::vector<CaseEntry>& cases() {
     static const std::vector<CaseEntry> all = [] {
         std::vector<CaseEntry> joined;
         for (const auto& list :
-             {map_cases(), amplitude_cases(), mesh_cases(), uv_cases(), place_cases(), ray_cases()})
+             {map_cases(), amplitude_cases(), mesh_cases(), uv_cases(), place_cases(), ray_cases(),
+              procedural_cases()})
             joined.insert(joined.end(), list.begin(), list.end());
         return joined;
     }();

@@ -63,5 +63,6 @@ std::vector<CaseEntry> mesh_cases();
 std::vector<CaseEntry> uv_cases();
 std::vector<CaseEntry> place_cases();
 std::vector<CaseEntry> ray_cases();
+std::vector<CaseEntry> procedural_cases();
 
 }  // namespace relievo::stability

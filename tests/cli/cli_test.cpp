@@ -53,7 +53,7 @@ class Program : public testing::Test {
 };
 
 TEST_F(Program, EveryVerbHasHelp) {
-    for (const char* verb : {"edit", "render", "replay", "compare", "explain", "devices"}) {
+    for (const char* verb : {"edit", "render", "replay", "compare", "bake", "explain", "devices"}) {
         const Outcome outcome = run_program({verb, "--help"});
         EXPECT_EQ(outcome.status, 0) << verb;
         EXPECT_NE(outcome.out.find("Options:"), std::string::npos) << verb;
@@ -63,9 +63,25 @@ TEST_F(Program, EveryVerbHasHelp) {
     EXPECT_TRUE(run_program({"--version"}).out.starts_with("relievo "));
 }
 
+TEST_F(Program, BakesProceduralHeightsIntoAMap) {
+    expect_refused({"bake", scene_, "-o", path("baked.png")}, "no object has procedural heights");
+    change_scene("\"map\": \"map.tif\"", "\"procedural\": {\"exemplar\": \"map.tif\"}");
+    expect_refused({"bake", scene_}, "--output is required");
+    expect_refused({"bake", scene_, "-o", path("baked.jpg")}, "baked.jpg");
+    expect_refused({"bake", scene_, "-o", path("baked.png"), "--size", "12"}, "--size: is \"12\"");
+    const Outcome outcome = run_program({"bake", scene_, "-o", path("baked.png"), "--size", "40x30", "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const auto result = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(result["width"], 40);
+    EXPECT_EQ(result["displacement"]["wrap"], "clamp");
+    const LoadedMap map = load_map(path("baked.png"));
+    EXPECT_EQ(map.map.width(), 40);
+    EXPECT_EQ(map.map.height(), 30);
+}
+
 TEST_F(Program, WrongUsageIsOneLine) {
     expect_refused({"rendr"},
-                   "\"rendr\" is not a verb; known are edit, render, replay, compare, explain, devices");
+                   "\"rendr\" is not a verb; known are edit, render, replay, compare, bake, explain, devices");
     expect_refused({"render"}, "SCENE");
     expect_refused({"render", scene_}, "--output is required");
     expect_refused({"render", scene_, "-o", path("a.png"), "--quick"}, "--quick");

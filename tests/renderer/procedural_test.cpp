@@ -96,12 +96,20 @@ TEST(ProceduralScenes, FollowTheirSettings) {
     Renderer renderer(device(), scene, std::span(&view, 1), settings_of(scene));
     const std::vector<float> before = renderer.read_back(Layer::depth);
     const Procedural other{{}, 3, {1, 2}, 5, 0.4};
-    renderer.set_procedural(0, other, view);
+    Displacement changed = scene.objects[0].displacement;
+    changed.procedural = other;
+    renderer.set_heights(0, changed, view);
     const std::vector<float> after = renderer.read_back(Layer::depth);
     EXPECT_NE(before, after);
     scene.objects[0].displacement.procedural = other;
     Renderer fresh(device(), scene, std::span(&view, 1), settings_of(scene));
     EXPECT_EQ(after, fresh.read_back(Layer::depth));
+    // And back to a map.
+    changed.procedural.reset();
+    const TestMap map = bumps(32);
+    renderer.set_heights(0, changed, map.view());
+    scene.objects[0].displacement = changed;
+    EXPECT_EQ(renderer.read_back(Layer::depth), depth_of(scene, map, settings_of(scene)));
 }
 
 }  // namespace

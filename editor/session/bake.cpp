@@ -1,0 +1,65 @@
+// See bake.h.
+#include "editor/session/bake.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "editor/session/text.h"
+
+namespace relievo {
+
+void check_bakeable(const SceneObject& object) {
+    for (const glm::vec2& uv : object.mesh.uvs) {
+        if (std::min(uv.x, uv.y) >= 0 && std::max(uv.x, uv.y) <= 1) continue;
+        throw std::invalid_argument(object.name + ": texture coordinates (" + number_text(uv.x) + ", " +
+                                    number_text(uv.y) + ") leave [0, 1], which is all that a baked map holds");
+    }
+}
+
+ImageSize bake_size(const Procedural& settings, int exemplar_width, int exemplar_height) {
+    const auto texels = [&](int side) {
+        return static_cast<int>(std::clamp(std::round(settings.scale * side), 1.0, double{HeightMap::kMaxSize}));
+    };
+    return {texels(exemplar_width), texels(exemplar_height)};
+}
+
+HeightMap bake(const ProceduralSource& source, const ImageSize& size, const std::function<void(int)>& progress) {
+    HeightMap map(size.width, size.height);
+    std::atomic<int> next{0};
+    std::mutex mutex;
+    int finished = 0;
+    const auto work = [&] {
+        for (int y = next++; y < size.height; y = next++) {
+            for (int x = 0; x < size.width; ++x) {
+                const glm::dvec2 uv((x + 0.5) / size.width, (y + 0.5) / size.height);
+                map.set(x, y, static_cast<std::uint16_t>(std::lround(65535 * source.value(source.texel_at(uv)))));
+            }
+            const std::lock_guard lock(mutex);
+            ++finished;
+            if (progress) progress(finished);
+        }
+    };
+    {
+        std::vector<std::jthread> helpers;
+        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) helpers.emplace_back(work);
+        work();
+    }
+    return map;
+}
+
+Displacement baked_displacement(const Displacement& procedural, const std::filesystem::path& map) {
+    Displacement d = procedural;
+    d.procedural.reset();
+    d.map = map;
+    d.wrap = Wrap::clamp;
+    d.range_low = 0;
+    d.range_high = 1;
+    return d;
+}
+
+}  // namespace relievo
