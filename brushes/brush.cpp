@@ -2,11 +2,14 @@
 #include "brushes/brush.h"
 
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 namespace relievo {
 namespace {
+
+constexpr ToolSet kRaising = tool_set({Tool::draw, Tool::inflate, Tool::clay, Tool::crease, Tool::noise});
 
 constexpr std::array kParameters{
     BrushParameter{"radius", "world units", "Reach of the brush on the displaced surface, as a 3D distance",
@@ -20,7 +23,18 @@ constexpr std::array kParameters{
                    "Distance along the surface from dab to dab; the height hardly depends on it", 0.02f, 1.0f,
                    0.15f, &Brush::spacing},
     BrushParameter{"level", "map value", "The map value that the level tool moves to", 0.0f, 1.0f, 0.5f,
-                   &Brush::level},
+                   &Brush::level, tool_set({Tool::level})},
+    BrushParameter{"grain", "of the radius", "Size of the bumps that noise makes", 0.02f, 4.0f, 0.25f,
+                   &Brush::grain, tool_set({Tool::noise})},
+    BrushParameter{"seed", "", "Another number gives other bumps", 0.0f, 65535.0f, 0.0f, &Brush::seed,
+                   tool_set({Tool::noise})},
+};
+
+constexpr std::array kFlags{
+    BrushFlag{"invert", "The opposite: draw lowers, pinch spreads, clay scrapes, crease raises", false,
+              &Brush::invert, kRaising | tool_set({Tool::pinch})},
+    BrushFlag{"accumulate", "Each pass of a stroke adds to the last; off, a stroke has one height throughout",
+              true, &Brush::accumulate, kRaising},
 };
 
 constexpr std::array kTools{
@@ -29,6 +43,13 @@ constexpr std::array kTools{
     ToolInfo{Tool::flatten, "flatten", "Pulls the surface towards the plane through what the brush covers"},
     ToolInfo{Tool::level, "level", "Moves the map to a set value"},
     ToolInfo{Tool::erase, "erase", "Takes the displacement away: moves the map to its midlevel"},
+    ToolInfo{Tool::inflate, "inflate", "Swells the relief outwards, its slopes most; inverted, shrinks it"},
+    ToolInfo{Tool::clay, "clay", "Lays clay on: fills what is low first; inverted, scrapes what is high"},
+    ToolInfo{Tool::crease, "crease", "Cuts a sharp groove and draws its banks in; inverted, a sharp ridge"},
+    ToolInfo{Tool::pinch, "pinch", "Draws the relief in towards the stroke; inverted, spreads it"},
+    ToolInfo{Tool::grab, "grab", "Takes hold of the surface and moves it with the hand"},
+    ToolInfo{Tool::smear, "smear", "Carries the relief along with the stroke"},
+    ToolInfo{Tool::noise, "noise", "Roughens the surface with bumps of a set size"},
 };
 
 constexpr std::array<std::string_view, 4> kFalloffs{"smooth", "linear", "sharp", "constant"};
@@ -37,6 +58,9 @@ constexpr std::array<std::string_view, 4> kFalloffs{"smooth", "linear", "sharp",
 
 std::span<const BrushParameter> brush_parameters() {
     return kParameters;
+}
+std::span<const BrushFlag> brush_flags() {
+    return kFlags;
 }
 std::span<const ToolInfo> tools() {
     return kTools;
@@ -54,6 +78,8 @@ void check_brush(const Brush& brush) {
                 << parameter.high;
         throw std::invalid_argument(message.str());
     }
+    if (brush.seed != std::floor(brush.seed))
+        throw std::invalid_argument("brush seed: must be a whole number");
     if (static_cast<std::size_t>(brush.tool) >= kTools.size())
         throw std::invalid_argument("brush tool: no such tool");
     if (static_cast<std::size_t>(brush.falloff) >= kFalloffs.size())

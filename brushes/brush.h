@@ -2,24 +2,42 @@
 // 5).
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string_view>
 
 namespace relievo {
 
-enum class Tool : std::uint8_t { draw, smooth, flatten, level, erase };
+enum class Tool : std::uint8_t {
+    draw,
+    smooth,
+    flatten,
+    level,
+    erase,
+    inflate,
+    clay,
+    crease,
+    pinch,
+    grab,
+    smear,
+    noise
+};
 enum class Falloff : std::uint8_t { smooth, linear, sharp, constant };
 
 struct Brush {
     Tool tool = Tool::draw;
     Falloff falloff = Falloff::smooth;
-    bool invert = false;    // draw lowers
-    float radius = 0.1f;    // world units, > 0
-    float strength = 0.5f;  // [0, 1]; what it means for each tool stands in brushes/dab_tools.h
-    float hardness = 0.0f;  // [0, 1): the inner fraction of the radius at full strength
-    float spacing = 0.15f;  // arc length between dabs as a fraction of the radius, [0.02, 1]
-    float level = 0.5f;     // map value that the level tool moves to, [0, 1]
+    bool invert = false;     // the opposite: draw lowers, pinch spreads, clay scrapes, crease raises
+    float radius = 0.1f;     // world units, > 0
+    float strength = 0.5f;   // [0, 1]; what it means for each tool stands in brushes/dab_tools.h
+    float hardness = 0.0f;   // [0, 1): the inner fraction of the radius at full strength
+    float spacing = 0.15f;   // arc length between dabs as a fraction of the radius, [0.02, 1]
+    float level = 0.5f;      // map value that the level tool moves to, [0, 1]
+    float grain = 0.25f;     // size of the noise tool's bumps as a fraction of the radius, [0.02, 4]
+    float seed = 0.0f;       // which noise, a whole number in [0, 65535]
+    bool accumulate = true;  // false: passing again within the stroke adds nothing
     bool operator==(const Brush&) const = default;
 };
 
@@ -29,20 +47,49 @@ struct Dab {
     std::uint32_t time_us = 0;     // since the stroke began
     std::uint32_t face = 0;        // of the edited object's base mesh
     std::uint32_t b1 = 0, b2 = 0;  // barycentrics in units of 1 / kBarycentricOne; b1 + b2 <= kBarycentricOne
-    std::uint32_t pressure = kPressureOne;  // in units of 1 / kPressureOne
+    std::uint32_t pressure = kPressureOne;  // of the strength, in units of 1 / kPressureOne
+    std::uint32_t size = kSizeOne;          // of the brush's radius, in units of 1 / kSizeOne, [1, kSizeOne]
+    // How far the hand has drawn what it grabbed since the stroke began, in units of the brush's radius /
+    // kDragOne. Only grab reads it.
+    std::array<std::int32_t, 3> drag{};
 
     static constexpr std::uint32_t kBarycentricOne = 1u << 20;
     static constexpr std::uint32_t kPressureOne = 65535;
+    static constexpr std::uint32_t kSizeOne = 65535;
+    static constexpr std::int32_t kDragOne = 1 << 16;
+    static constexpr std::int32_t kLargestDrag = 1 << 28;
     bool operator==(const Dab&) const = default;
 };
+
+// A set of tools, for settings that not every tool reads.
+using ToolSet = std::uint32_t;
+constexpr ToolSet tool_set(std::initializer_list<Tool> tools) {
+    ToolSet set = 0;
+    for (const Tool tool : tools) set |= 1u << static_cast<unsigned>(tool);
+    return set;
+}
+constexpr ToolSet kEveryTool = ~ToolSet{0};
+constexpr bool holds(ToolSet set, Tool tool) {
+    return (set & tool_set({tool})) != 0;
+}
 
 // One float setting, for menus, help and file checks. `name` is the key in journals.
 struct BrushParameter {
     std::string_view name, unit, tooltip;
     float low, high, standard;
     float Brush::*value;
+    ToolSet tools = kEveryTool;  // that read it
 };
 std::span<const BrushParameter> brush_parameters();
+
+// One switch.
+struct BrushFlag {
+    std::string_view name, tooltip;
+    bool standard;
+    bool Brush::*value;
+    ToolSet tools = kEveryTool;
+};
+std::span<const BrushFlag> brush_flags();
 
 struct ToolInfo {
     Tool tool;

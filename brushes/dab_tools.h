@@ -2,19 +2,32 @@
 // state.
 //
 // strength s, scaled by the pen's pressure, is honoured as follows (f is the falloff at the texel's 3D
-// distance):
-//   draw     raises by kDrawRise * radius * s * f * spacing world units, so that one straight pass at full
-//   strength
-//            and smooth falloff raises its middle by kDrawRise * radius whatever the spacing, and one dab by
-//            at most kDrawRise * radius * spacing.
+// distance, rise = kDrawRise * radius * s * f):
+//   draw     raises by rise * spacing world units, so that one straight pass at full strength and smooth
+//            falloff raises its middle by kDrawRise * radius whatever the spacing, and one dab by at most
+//            kDrawRise * radius * spacing. Without accumulate, a stroke raises by rise, however often it
+//            passes.
+//   inflate  as draw, over the cosine between the relief's normal and the base's (at least kLeastCosine): the
+//            relief moves along its own normal, so that slopes grow sideways.
+//   noise    as draw, times a noise of [-1, 1] at the texel's place on the base mesh.
+//   crease   lowers as draw by rise * spacing * f^2, and pinches half as much as pinch.
+//   clay     moves what is below a plane towards it: the plane through the footprint, raised by what a dab of
+//            draw at kUnitSpacing raises.
 //   level,   move a texel the fraction s * f of the way from where the stroke found it to the target; passing
-//   again erase    within the stroke adds nothing (the largest fraction counts), a second stroke goes on from
-//   there. At
-//            full strength, the middle of the brush arrives exactly.
+//   erase    again within the stroke adds nothing (the largest fraction counts), a second stroke goes on from
+//            there. At full strength, the middle of the brush arrives exactly.
 //   smooth,  move a texel the fraction s * f * spacing / kUnitSpacing (at most 1) of the way to their target
-//   at each flatten  dab, and so go on while the brush stays.
-// No tool does anything where the amplitude is 0, not finite, or so small that a count has no size.
+//   flatten  at each dab, and so go on while the brush stays.
+//   pinch    draws the relief in by kPinch * s * f * spacing / kUnitSpacing of its distance to the centre.
+//   smear    carries the relief along with the hand, s * f of the way from the last dab.
+//   grab     moves what the first dab held by s * f of the hand's drag, its relief along the surface and its
+//            height by the drag's part along the normal.
+// invert turns draw, inflate, noise, clay, crease and pinch round. No tool does anything where the amplitude
+// is 0, not finite, or so small that a count has no size.
 #pragma once
+
+#include <memory>
+#include <vector>
 
 #include "brushes/brush.h"
 #include "brushes/stroke_tiles.h"
@@ -24,19 +37,32 @@ namespace relievo {
 
 inline constexpr float kDrawRise = 0.5f;      // of the radius
 inline constexpr float kUnitSpacing = 0.15f;  // of the radius
+inline constexpr float kPinch = 0.15f;        // of the distance to the centre
 
 // The weight at `part` of the radius, both in [0, 1]: 1 up to `hardness`, 0 at the rim (but for constant).
 float falloff_weight(Falloff falloff, float hardness, float part);
 
 class Seams;
+struct Hold;  // what grab holds (move_tools.cpp)
 
 struct DabPlace {
     SurfacePoint centre;
-    float pressure;  // [0, 1]
+    float pressure;               // [0, 1]
+    float radius;                 // of this dab, world units
+    glm::vec3 motion{0};          // from the last dab, world units; 0 at a stroke's first and after a jump
+    glm::vec3 drag{0};            // of grab since the stroke began, world units
+    std::shared_ptr<Hold>& hold;  // of the stroke, null at first
 };
 
-// Applies one dab. Reads `surface` (and by it the map as the last dab left it), writes `stroke`.
-void apply_dab(const Brush& brush, const DabPlace& place, const Surface& surface, const Seams& seams,
-               StrokeTiles& stroke);
+// What a dab wants of one texel: changes since the stroke began, in counts, as StrokeTiles keeps them.
+struct TexelChange {
+    std::int32_t x, y;
+    float from, to;
+};
+
+// The changes of one dab, sorted by (y, x), each texel once. Reads `surface` (and by it the map as the last
+// dab left it) and `stroke`; writes nothing but place.hold.
+std::vector<TexelChange> dab_changes(const Brush& brush, const DabPlace& place, const Surface& surface,
+                                     const Seams& seams, const StrokeTiles& stroke);
 
 }  // namespace relievo

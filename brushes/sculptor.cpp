@@ -1,6 +1,9 @@
 // A stroke from begin to end: dabs to tools, seams after every dab, one quantised state, one undo step.
 #include "brushes/sculptor.h"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -27,10 +30,53 @@ struct Sculptor::State {
     const Surface& surface;
     Seams seams;
     UndoStack undo;
+    // Takes a checked dab in steps of the drag that grab can follow.
+    void apply(const Dab& dab);
+    void apply_step(const Dab& dab, glm::vec3 drag);
+
     Brush brush;
     std::optional<StrokeTiles> stroke;
+    std::optional<glm::vec3> last_place;  // of the stroke's last dab, world units
+    glm::vec3 last_drag{0};               // world units
+    std::shared_ptr<Hold> hold;
     std::size_t clipped = 0;  // of the last stroke
 };
+
+void Sculptor::State::apply(const Dab& dab) {
+    if (brush.tool != Tool::grab) return apply_step(dab, glm::vec3(0));
+    constexpr float kLongestStep = 0.4f;  // of the radius
+    constexpr int kMostSteps = 1000;
+    const float unit = brush.radius / static_cast<float>(Dab::kDragOne);
+    const glm::vec3 from = last_drag;
+    const glm::vec3 to = unit * glm::vec3(dab.drag[0], dab.drag[1], dab.drag[2]);
+    const float radius = brush.radius * (static_cast<float>(dab.size) / static_cast<float>(Dab::kSizeOne));
+    const float way = glm::length(to - from) / (kLongestStep * radius);
+    const int steps = static_cast<int>(std::clamp(std::ceil(way), 1.0f, static_cast<float>(kMostSteps)));
+    for (int i = 1; i <= steps; ++i)
+        apply_step(
+            dab, i == steps ? to : from + (static_cast<float>(i) / static_cast<float>(steps)) * (to - from));
+    last_drag = to;
+}
+
+void Sculptor::State::apply_step(const Dab& dab, glm::vec3 drag) {
+    constexpr float kUnit = 1.0f / static_cast<float>(Dab::kBarycentricOne);
+    constexpr float kJump = 2.0f;  // radii between dabs beyond which the hand has jumped
+    const SurfacePoint centre =
+        surface.at(dab.face, static_cast<float>(dab.b1) * kUnit, static_cast<float>(dab.b2) * kUnit);
+    glm::vec3 motion = last_place ? centre.position - *last_place : glm::vec3(0);
+    if (!(glm::length(motion) < kJump * brush.radius)) motion = glm::vec3(0);
+    const DabPlace place{
+        centre,
+        std::min(static_cast<float>(dab.pressure) / static_cast<float>(Dab::kPressureOne), 1.0f),
+        brush.radius * (static_cast<float>(dab.size) / static_cast<float>(Dab::kSizeOne)),
+        motion,
+        drag,
+        hold};
+    for (const TexelChange& change : dab_changes(brush, place, surface, seams, *stroke))
+        stroke->set_change(change.x, change.y, change.to);
+    seams.follow(*stroke);
+    last_place = centre.position;
+}
 
 Sculptor::Sculptor(HeightMap& map, const Surface& surface, std::size_t undo_budget)
     : state_(std::make_unique<State>(map, surface, undo_budget)) {}
@@ -42,6 +88,9 @@ void Sculptor::begin(const Brush& brush) {
     check_brush(brush);
     state_->brush = brush;
     state_->stroke.emplace(state_->map);
+    state_->last_place.reset();
+    state_->last_drag = glm::vec3(0);
+    state_->hold.reset();
 }
 
 std::vector<TexelRect> Sculptor::dab(const Dab& dab) {
@@ -53,13 +102,15 @@ std::vector<TexelRect> Sculptor::dab(const Dab& dab) {
         throw std::out_of_range("dab outside its face: barycentrics " + std::to_string(dab.b1) + " and " +
                                 std::to_string(dab.b2) + " must add up to at most " +
                                 std::to_string(Dab::kBarycentricOne));
-    constexpr float kUnit = 1.0f / static_cast<float>(Dab::kBarycentricOne);
-    const DabPlace place{
-        state_->surface.at(dab.face, static_cast<float>(dab.b1) * kUnit, static_cast<float>(dab.b2) * kUnit),
-        std::min(static_cast<float>(dab.pressure) / static_cast<float>(Dab::kPressureOne), 1.0f)};
+    if (dab.size < 1 || dab.size > Dab::kSizeOne)
+        throw std::out_of_range("dab of size " + std::to_string(dab.size) + ": it must be 1 to " +
+                                std::to_string(Dab::kSizeOne));
+    for (const std::int32_t part : dab.drag)
+        if (part < -Dab::kLargestDrag || part > Dab::kLargestDrag)
+            throw std::out_of_range("dab with a drag of " + std::to_string(part) + ": it must be at most " +
+                                    std::to_string(Dab::kLargestDrag) + " either way");
+    state_->apply(dab);
     StrokeTiles& stroke = *state_->stroke;
-    apply_dab(state_->brush, place, state_->surface, state_->seams, stroke);
-    state_->seams.follow(stroke);
     return merge_rects(stroke.take_dirty());
 }
 

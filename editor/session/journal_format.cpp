@@ -43,18 +43,25 @@ std::string number(float value) {
     return static_cast<float>(parsed) == value ? text : number(static_cast<double>(value));
 }
 
+// The settings of the first brushes are always written; later ones where they differ from the standard, so
+// that lines stay short and older programs read what they can do.
+constexpr std::size_t kAlwaysWritten = 5;
+
 std::string brush_object(const Brush& brush) {
     std::string text = "{\"tool\":\"";
     for (const ToolInfo& tool : tools())
         if (tool.tool == brush.tool) text += tool.name;
     text += "\",\"falloff\":\"";
     text += falloff_names()[static_cast<std::size_t>(brush.falloff)];
-    text += "\",\"invert\":";
-    text += brush.invert ? "true" : "false";
-    for (const BrushParameter& parameter : brush_parameters()) {
-        text += ",\"";
-        text += parameter.name;
-        text += "\":" + number(brush.*parameter.value);
+    text += "\"";
+    const Brush standard;
+    for (const BrushFlag& flag : brush_flags())
+        if (flag.name == "invert" || brush.*flag.value != standard.*flag.value)
+            text.append(",\"").append(flag.name).append(brush.*flag.value ? "\":true" : "\":false");
+    for (std::size_t i = 0; i < brush_parameters().size(); ++i) {
+        const BrushParameter& parameter = brush_parameters()[i];
+        if (i >= kAlwaysWritten && brush.*parameter.value == standard.*parameter.value) continue;
+        text.append(",\"").append(parameter.name).append("\":").append(number(brush.*parameter.value));
     }
     return text + "}";
 }
@@ -63,6 +70,10 @@ std::string dab_array(const Dab& dab) {
     std::string text(1, '[');
     for (std::uint32_t part : {dab.time_us, dab.face, dab.b1, dab.b2, dab.pressure})
         text.append(text.size() > 1 ? "," : "").append(shortest(part));
+    const bool dragged = dab.drag != decltype(dab.drag){};
+    if (dragged || dab.size != Dab::kSizeOne) text.append(",").append(shortest(dab.size));
+    if (dragged)
+        for (const std::int32_t part : dab.drag) text.append(",").append(shortest(part));
     return text.append("]");
 }
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 
@@ -20,6 +21,8 @@ using nlohmann::json;
 class Fields {
   public:
     Fields(const json& object, std::string where, std::initializer_list<std::string_view> known)
+        : Fields(object, std::move(where), std::span(known.begin(), known.size())) {}
+    Fields(const json& object, std::string where, std::span<const std::string_view> known)
         : object_(object), where_(std::move(where)) {
         if (!object.is_object()) fail("", "is " + kind(object) + ", must be an object");
         for (const auto& item : object.items()) {
@@ -103,7 +106,7 @@ class Fields {
         return static_cast<float>(value) >= static_cast<float>(low) &&
                static_cast<float>(value) <= static_cast<float>(high);
     }
-    static std::string joined(std::initializer_list<std::string_view> words) {
+    static std::string joined(std::span<const std::string_view> words) {
         std::string text;
         for (std::string_view word : words) text.append(text.empty() ? "" : ", ").append(word);
         return text;
@@ -118,8 +121,10 @@ constexpr int kMaxSpp = 1 << 20;  // samples a pixel
 constexpr double kMaxReal = 1e30;
 
 Brush read_brush(const json& value, const std::string& where) {
-    const Fields fields(value, where + ": brush",
-                        {"tool", "falloff", "invert", "radius", "strength", "hardness", "spacing", "level"});
+    std::vector<std::string_view> keys{"tool", "falloff"};
+    for (const BrushFlag& flag : brush_flags()) keys.push_back(flag.name);
+    for (const BrushParameter& parameter : brush_parameters()) keys.push_back(parameter.name);
+    const Fields fields(value, where + ": brush", keys);
     Brush brush;
     if (fields.has("tool")) {
         const std::string name = fields.word("tool");
@@ -142,7 +147,10 @@ Brush read_brush(const json& value, const std::string& where) {
         }
         if (!found) fields.fail("falloff", "is \"" + name + "\", must be one of " + known);
     }
-    if (fields.has("invert")) brush.invert = fields.boolean("invert");
+    for (const BrushFlag& flag : brush_flags()) {
+        const std::string key(flag.name);
+        if (fields.has(key.c_str())) brush.*flag.value = fields.boolean(key);
+    }
     for (const BrushParameter& parameter : brush_parameters()) {
         const std::string key(parameter.name);
         if (!fields.has(key.c_str())) continue;
@@ -153,10 +161,14 @@ Brush read_brush(const json& value, const std::string& where) {
 }
 
 Dab read_dab(const json& value, const Fields& fields, const std::string& key) {
-    if (!value.is_array() || value.size() != 5) fields.fail(key, "must be [time_us, face, b1, b2, pressure]");
+    if (!value.is_array() || (value.size() != 5 && value.size() != 6 && value.size() != 9))
+        fields.fail(key,
+                    "must be [time_us, face, b1, b2, pressure], then size and x, y, z of the drag or not");
+    const auto whole = [&](std::size_t i, std::int64_t low, std::int64_t high) {
+        return fields.integer(value[i], key + "[" + std::to_string(i) + "]", low, high);
+    };
     const auto part = [&](std::size_t i, std::uint32_t high) {
-        return static_cast<std::uint32_t>(
-            fields.integer(value[i], key + "[" + std::to_string(i) + "]", 0, std::int64_t{high}));
+        return static_cast<std::uint32_t>(whole(i, 0, std::int64_t{high}));
     };
     Dab dab;
     dab.time_us = part(0, UINT32_MAX);
@@ -164,6 +176,9 @@ Dab read_dab(const json& value, const Fields& fields, const std::string& key) {
     dab.b1 = part(2, Dab::kBarycentricOne);
     dab.b2 = part(3, Dab::kBarycentricOne);
     dab.pressure = part(4, Dab::kPressureOne);
+    if (value.size() > 5) dab.size = static_cast<std::uint32_t>(whole(5, 1, Dab::kSizeOne));
+    for (std::size_t i = 6; i < value.size(); ++i)
+        dab.drag[i - 6] = static_cast<std::int32_t>(whole(i, -Dab::kLargestDrag, Dab::kLargestDrag));
     if (dab.b1 + dab.b2 > Dab::kBarycentricOne)
         fields.fail(key, "b1 + b2 is " + std::to_string(dab.b1 + dab.b2) + ", must be at most " +
                              std::to_string(Dab::kBarycentricOne));

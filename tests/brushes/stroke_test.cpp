@@ -89,9 +89,11 @@ TEST(Undo, restores_all_65536_values_to_the_byte_and_redo_brings_the_stroke_back
     for (const ToolInfo& info : tools()) {
         Brush brush = brush_of(0.2f, 0.8f);
         brush.tool = info.tool;
+        const std::uint64_t steps = plane.sculptor.steps_made();
         stroke(plane.sculptor, plane.surface, brush, {0.1, 0.2}, {0.9, 0.8});
-        states.push_back(plane.map);
+        if (plane.sculptor.steps_made() > steps) states.push_back(plane.map);
     }
+    EXPECT_GE(states.size(), 10u);
     for (std::size_t i = states.size() - 1; i-- > 0;) {
         const HeightMap before = plane.map;
         expect_exact_cover(before, states[i], plane.sculptor.undo());

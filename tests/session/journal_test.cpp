@@ -44,6 +44,8 @@ TEST(Journal, EveryOperationReadsBackEqual) {
     const std::vector<JournalOp> ops{
         StrokeOp{Brush{}, {Dab{}, last}},
         StrokeOp{Brush{Tool::erase, Falloff::constant, true, 3.3f, 1.0f, 0.7f, 0.02f, 0.1f}, {}},
+        StrokeOp{Brush{.tool = Tool::noise, .grain = 0.3f, .seed = 7, .accumulate = false},
+                 {Dab{.size = 1}, Dab{.drag = {-Dab::kLargestDrag, 0, 17}}}},
         UndoOp{},
         RedoOp{},
         SetOp{"amplitude", 0.1},
@@ -84,6 +86,12 @@ TEST(Journal, FloatsOfEveryMagnitudeReadBackBitForBit) {
     ASSERT_EQ(journal.entries.size(), ops.size());
     for (std::size_t i = 0; i < ops.size(); ++i)
         ASSERT_EQ(journal.entries[i].op, ops[i]) << format_op(ops[i]);
+}
+
+TEST(Journal, NewerSettingsAreLeftOutAtTheirStandard) {
+    EXPECT_EQ(format_op(StrokeOp{Brush{}, {Dab{}}}),
+              R"({"op":"stroke","brush":{"tool":"draw","falloff":"smooth","invert":false,"radius":0.1,)"
+              R"("strength":0.5,"hardness":0,"spacing":0.15,"level":0.5},"dabs":[[0,0,0,0,65535]]})");
 }
 
 TEST(Journal, TornLastLineIsLeftOutWithAWarning) {
@@ -153,6 +161,10 @@ TEST(Journal, WrongKeysTypesAndRangesAreNamed) {
          ":2: brush: size: is not a key here; known are tool"},
         {R"({"op":"stroke","brush":{},"dabs":[[0,0,0,0]]})",
          ":2: dabs[0]: must be [time_us, face, b1, b2, pressure]"},
+        {R"({"op":"stroke","brush":{},"dabs":[[0,0,0,0,1,0]]})",
+         ":2: dabs[0][5]: is 0, must be in [1, 65535]"},
+        {R"({"op":"stroke","brush":{},"dabs":[[0,0,0,0,1,1,0,0,1e9]]})", ":2: dabs[0][8]: is a number, must"},
+        {R"({"op":"stroke","brush":{"seed":-1},"dabs":[]})", ":2: brush: seed: is -1, must be in [0, 65535]"},
         {R"({"op":"stroke","brush":{},"dabs":[[0,0,0,0,-1]]})",
          ":2: dabs[0][4]: is -1, must be in [0, 65535]"},
         {R"({"op":"stroke","brush":{},"dabs":[[0,0,0,0,1],[0.5,0,0,0,1]]})",

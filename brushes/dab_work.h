@@ -1,0 +1,70 @@
+// What the tools share: the dab at hand, its texels and their weights. Private to the tools.
+#pragma once
+
+#include <algorithm>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "brushes/dab_tools.h"
+#include "brushes/seams.h"
+
+namespace relievo {
+
+inline constexpr float kTop = 65535.0f;  // counts
+
+struct Work {
+    const Brush& brush;
+    const DabPlace& place;
+    const Surface& surface;
+    const Seams& seams;
+    const StrokeTiles& stroke;
+    double counts_per_unit;  // of world height, signed; finite
+    std::vector<TexelChange>& changes;
+
+    float falloff(const SurfaceTexel& texel) const {
+        const float part = std::min(texel.distance / place.radius, 1.0f);
+        return falloff_weight(brush.falloff, brush.hardness, part);
+    }
+    float weight(const SurfaceTexel& texel) const { return brush.strength * place.pressure * falloff(texel); }
+    // Steps towards a target are scaled so that a pass does the same at any spacing.
+    float weight_of_step(const SurfaceTexel& texel) const {
+        return std::min(weight(texel) * (brush.spacing / kUnitSpacing), 1.0f);
+    }
+    float change(const SurfaceTexel& t) const { return stroke.change(t.x, t.y); }
+    float value(const SurfaceTexel& t) const { return stroke.value(t.x, t.y); }
+    float sign() const { return brush.invert ? -1.0f : 1.0f; }
+
+    std::vector<SurfaceTexel> texels(float radius) const {
+        std::vector<SurfaceTexel> found;
+        surface.texels_in_ball(place.centre.position, radius, found);
+        return found;
+    }
+    // Faces away from the dab: on the far side of a thin object.
+    bool is_back(const SurfaceTexel& t) const;
+
+    // World units of height as counts. Bounded: a dab cannot need more than the whole range, and 0 * infinity
+    // stays out for tiny amplitudes.
+    float counts(double height) const {
+        return static_cast<float>(
+            std::clamp(height * counts_per_unit, -2.0 * double{kTop}, 2.0 * double{kTop}));
+    }
+
+    void change_to(const SurfaceTexel& t, float to) const {
+        const float from = change(t);
+        if (to != from) changes.push_back({t.x, t.y, from, to});
+    }
+};
+
+void draw(const Work& work);
+void inflate(const Work& work);
+void noise(const Work& work);
+void clay(const Work& work);
+void move_to(const Work& work, float target);
+void smooth(const Work& work);
+void flatten(const Work& work);
+void pinch(const Work& work);
+void crease(const Work& work);
+void smear(const Work& work);
+void grab(const Work& work);
+
+}  // namespace relievo

@@ -1,0 +1,144 @@
+// The tools that carry the relief along the surface: pinch, crease, smear, grab. Each texel asks where its
+// relief comes from, in its own tangent plane, and reads it there (brushes/relief.h).
+//
+// Displaced positions say which texels a dab reaches and how far it moves them; places on the base mesh say
+// what lies where, so that steep relief does not tear what is read.
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "brushes/dab_work.h"
+#include "brushes/relief.h"
+
+namespace relievo {
+namespace {
+
+glm::vec3 along_surface(glm::vec3 v, glm::vec3 normal) {
+    return v - normal * glm::dot(v, normal);
+}
+
+// How much the texel's value changes when the relief at `from` comes to it.
+float carried(const Relief& relief, glm::vec3 base, glm::vec3 from, const SurfaceTexel& texel, float value) {
+    const auto fit = relief.at(base + from, texel.normal);
+    return fit ? static_cast<float>(fit->value) - value : 0.0f;
+}
+
+// The fraction of its distance to the centre from further out that a texel's relief comes from.
+float pinch_part(const Work& work, const SurfaceTexel& texel, float much) {
+    return much * work.sign() * kPinch * work.weight_of_step(texel);
+}
+
+}  // namespace
+
+void pinch(const Work& work) {
+    const Relief relief(work, (1.0f + kPinch) * work.place.radius);
+    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
+        const float part = pinch_part(work, texel, 1.0f);
+        if (part == 0.0f || work.is_back(texel)) continue;
+        const glm::vec3 out = along_surface(texel.position - work.place.centre.position, texel.normal);
+        const float step = carried(relief, base_of(work, texel), part * out, texel, work.value(texel));
+        work.change_to(texel, work.change(texel) + step);
+    }
+}
+
+void crease(const Work& work) {
+    constexpr float kPinchPart = 0.5f;
+    const Relief relief(work, (1.0f + kPinch) * work.place.radius);
+    const float depth =
+        work.counts(double{kDrawRise} * double{work.place.radius} * double{work.brush.spacing}) *
+        -work.sign();
+    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
+        const float weight = work.weight(texel), falloff = work.falloff(texel);
+        if (weight == 0.0f || work.is_back(texel)) continue;
+        const glm::vec3 out = along_surface(texel.position - work.place.centre.position, texel.normal);
+        // Either way the banks come in.
+        const float part = std::abs(pinch_part(work, texel, kPinchPart));
+        const float step = carried(relief, base_of(work, texel), part * out, texel, work.value(texel));
+        work.change_to(texel, work.change(texel) + step + depth * weight * falloff * falloff);
+    }
+}
+
+void smear(const Work& work) {
+    const glm::vec3 motion = work.place.motion;
+    const float way = glm::length(motion);
+    if (!(way > 0.0f)) return;
+    const Relief relief(work, work.place.radius + way);
+    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
+        const float weight = work.weight(texel);
+        if (weight == 0.0f || work.is_back(texel)) continue;
+        const glm::vec3 back = -weight * along_surface(motion, texel.normal);
+        const float step = carried(relief, base_of(work, texel), back, texel, work.value(texel));
+        work.change_to(texel, work.change(texel) + step);
+    }
+}
+
+// What the hand holds: the footprint and its relief as they were when it took hold. The surface stays a
+// height over the base mesh and cannot fold, so a texel's relief comes from where x + w(x) * drag is the
+// texel. Beyond half a radius the hand takes hold anew.
+struct Hold {
+    struct Texel {
+        SurfaceTexel texel;
+        glm::vec3 base;
+        float value, change;
+    };
+    Hold(const Work& work, glm::vec3 at, glm::vec3 the_drag)
+        : centre(at), drag(the_drag), relief(work, at, 2.2f * work.place.radius) {
+        std::vector<SurfaceTexel> found;
+        work.surface.texels_in_ball(at, 1.6f * work.place.radius, found);
+        for (const SurfaceTexel& t : found)
+            if (!work.is_back(t)) texels.push_back({t, base_of(work, t), work.value(t), work.change(t)});
+    }
+
+    glm::vec3 centre, drag, last_drag{0};  // the hand's when it took hold
+    bool spent = false;                    // the next dab takes hold anew, of the surface as this one left it
+    Relief relief;
+    std::vector<Texel> texels;
+};
+
+namespace {
+
+// The part w of the drag that came to a texel: w is that of the held point at x - w * drag. Halving finds an
+// answer whatever the falloff, also where hardness makes it steep and several points come to one place.
+float followed(const Work& work, const Hold& hold, const SurfaceTexel& texel, glm::vec3 tangent) {
+    constexpr int kHalvings = 20;
+    const auto weight_at = [&](float part) {
+        SurfaceTexel there = texel;
+        there.distance = glm::length(texel.position - part * tangent - hold.centre);
+        return there.distance < work.place.radius ? work.weight(there) : 0.0f;
+    };
+    float low = 0.0f, high = work.brush.strength * work.place.pressure;
+    if (weight_at(0.0f) == 0.0f && weight_at(high) == 0.0f) return 0.0f;
+    for (int i = 0; i < kHalvings; ++i) {
+        const float middle = 0.5f * (low + high);
+        (weight_at(middle) > middle ? low : high) = middle;
+    }
+    return weight_at(0.5f * (low + high));
+}
+
+}  // namespace
+
+void grab(const Work& work) {
+    constexpr float kNewHold = 0.5f;  // of the radius
+    std::shared_ptr<Hold>& hold = work.place.hold;
+    if (!hold) hold = std::make_shared<Hold>(work, work.place.centre.position, work.place.drag);
+    if (hold->spent) {
+        const glm::vec3 way = hold->last_drag - hold->drag;
+        const glm::vec3 centre = hold->centre + work.brush.strength * work.place.pressure * way;
+        hold = std::make_shared<Hold>(work, centre, hold->last_drag);
+    }
+    const glm::vec3 drag = work.place.drag - hold->drag;
+    for (const Hold::Texel& held : hold->texels) {
+        const glm::vec3 tangent = along_surface(drag, held.texel.normal);
+        const float weight = followed(work, *hold, held.texel, tangent);
+        float to = held.change;
+        if (weight > 0.0f) {
+            const float lift = work.counts(double{weight} * double{glm::dot(drag, held.texel.normal)});
+            to += lift + carried(hold->relief, held.base, -weight * tangent, held.texel, held.value);
+        }
+        if (to != work.change(held.texel))
+            work.changes.push_back({held.texel.x, held.texel.y, held.change, to});
+    }
+    hold->last_drag = work.place.drag;
+    hold->spent = glm::length(drag) >= kNewHold * work.place.radius;
+}
+
+}  // namespace relievo

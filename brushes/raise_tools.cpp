@@ -1,0 +1,60 @@
+// The tools that raise, lower or move to a value: draw, inflate, noise, level, erase.
+#include <cmath>
+
+#include "brushes/dab_work.h"
+#include "brushes/noise.h"
+#include "brushes/relief.h"
+
+namespace relievo {
+namespace {
+
+// `part_of(texel)` scales what the brush raises there.
+template <typename Part>
+void raise(const Work& work, Part part_of) {
+    const Brush& brush = work.brush;
+    const double passes = brush.accumulate ? double{brush.spacing} : 1.0;
+    const float counts = work.counts(double{kDrawRise} * double{work.place.radius} * passes) * work.sign();
+    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
+        const float weight = work.weight(texel);
+        if (weight == 0.0f) continue;
+        const float rise = counts * weight * part_of(texel), change = work.change(texel);
+        if (brush.accumulate)
+            work.change_to(texel, change + rise);
+        else if (std::abs(rise) > std::abs(change))
+            work.change_to(texel, rise);
+    }
+}
+
+}  // namespace
+
+void draw(const Work& work) {
+    raise(work, [](const SurfaceTexel&) { return 1.0f; });
+}
+
+void inflate(const Work& work) {
+    constexpr double kLeastCosine = 0.25;
+    const Relief relief(work, 1.1f * work.place.radius);
+    raise(work, [&](const SurfaceTexel& texel) {
+        const auto fit = relief.at(base_of(work, texel), texel.normal);
+        const double slope = fit ? fit->slope / work.counts_per_unit : 0.0;
+        return static_cast<float>(std::min(std::sqrt(1.0 + slope * slope), 1.0 / kLeastCosine));
+    });
+}
+
+void noise(const Work& work) {
+    const double grain = double{work.brush.grain} * double{work.brush.radius};
+    const auto seed = static_cast<std::uint32_t>(work.brush.seed);
+    raise(work, [&](const SurfaceTexel& texel) {
+        return static_cast<float>(gradient_noise(glm::dvec3(base_of(work, texel)) / grain, seed));
+    });
+}
+
+void move_to(const Work& work, float target) {
+    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
+        const float before = static_cast<float>(work.stroke.before(texel.x, texel.y));
+        const float change = (target - before) * work.weight(texel);
+        if (std::abs(change) > std::abs(work.change(texel))) work.change_to(texel, change);
+    }
+}
+
+}  // namespace relievo

@@ -1,0 +1,160 @@
+// Moving least squares over a footprint's texels; see the header for the paper and what we changed.
+#include "brushes/relief.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "brushes/dab_work.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kReach = 2.2;  // of a fit, in texel spacings
+constexpr std::size_t kFewTexels = 24;
+constexpr std::size_t kLevels = 3;  // grids, each with 4 times the reach: islands may differ in scale
+constexpr double kWidening = 4.0;
+
+constexpr std::int64_t kSpan = 1 << 20;  // cells a side
+
+std::int64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z) {
+    return ((x + kSpan / 2) * kSpan + (y + kSpan / 2)) * kSpan + (z + kSpan / 2);
+}
+
+std::int64_t cell_of(double place, double cell) {
+    return static_cast<std::int64_t>(std::clamp(std::floor(place / cell), -4e5, 4e5));
+}
+
+std::size_t slot_of(std::int64_t key, std::size_t slots) {
+    return (static_cast<std::uint64_t>(key) * 0x9e3779b97f4a7c15u >> 32) & (slots - 1);
+}
+
+// From the mean of neighbours in a row, and from the ball's area: relief takes texels out of the ball, and
+// footprints may be stretched.
+double texel_spacing(const std::vector<SurfaceTexel>& texels, const std::vector<Relief::Site>& sites,
+                     double reach) {
+    const double by_area = reach * std::sqrt(3.14159265 / static_cast<double>(texels.size()));
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i + 1 < texels.size(); ++i) {
+        if (texels[i + 1].x != texels[i].x + 1 || texels[i + 1].y != texels[i].y) continue;
+        const double step = static_cast<double>(glm::length(sites[i + 1].base - sites[i].base));
+        if (step > reach) continue;  // over a seam to another island
+        sum += step, count += 1;
+    }
+    return count > 0 && sum > 0 ? std::clamp(by_area, sum / count, 3.0 * sum / count) : by_area;
+}
+
+// Weighted sums for a plane about their mean.
+struct Sums {
+    double w = 0, x = 0, y = 0, v = 0, xx = 0, xy = 0, yy = 0, xv = 0, yv = 0;
+    double low = 1e30, high = -1e30;
+
+    void add(double weight, double px, double py, double value) {
+        w += weight, x += weight * px, y += weight * py, v += weight * value;
+        xx += weight * px * px, xy += weight * px * py, yy += weight * py * py;
+        xv += weight * px * value, yv += weight * py * value;
+        low = std::min(low, value), high = std::max(high, value);
+    }
+};
+
+}  // namespace
+
+glm::vec3 base_of(const Work& work, const SurfaceTexel& texel) {
+    const float count = std::floor(work.value(texel) + 0.5f);
+    const float height = work.surface.amplitude() * (count / kTop - work.surface.midlevel());
+    return texel.position - height * texel.normal;
+}
+
+Relief::Relief(const Work& work, float reach) : Relief(work, work.place.centre.position, reach) {}
+
+Relief::Relief(const Work& work, glm::vec3 centre, float reach) : centre_(centre) {
+    std::vector<SurfaceTexel> texels;
+    work.surface.texels_in_ball(centre, reach, texels);
+    for (int doubled = 0; doubled < 4 && texels.size() < kFewTexels; ++doubled)
+        work.surface.texels_in_ball(centre, reach *= 2.0f, texels);
+    if (texels.empty()) return;
+    // A margin of texels, for fits at the rim.
+    const float margin = 3.0f * reach * std::sqrt(3.14159265f / static_cast<float>(texels.size()));
+    work.surface.texels_in_ball(centre, reach + margin, texels);
+    std::vector<Site> sites;
+    sites.reserve(texels.size());
+    for (const SurfaceTexel& t : texels) sites.push_back({base_of(work, t), t.normal, work.value(t)});
+    double fit_reach = kReach * texel_spacing(texels, sites, static_cast<double>(reach + margin));
+    for (std::size_t level = 0; level < kLevels; ++level, fit_reach *= kWidening)
+        grids_.push_back(make_grid(sites, centre_, fit_reach));
+}
+
+Relief::Grid Relief::make_grid(std::span<const Site> sites, glm::vec3 centre, double reach) {
+    Grid grid;
+    grid.reach = reach;
+    const std::size_t slots = std::bit_ceil(2 * sites.size() + 1);
+    grid.cells.assign(slots, {0, 0, 0});
+    std::vector<std::uint32_t> slot_of_site(sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        const glm::dvec3 d = glm::dvec3(sites[i].base) - glm::dvec3(centre);
+        const std::int64_t key =
+            key_of(cell_of(d.x, 2 * reach), cell_of(d.y, 2 * reach), cell_of(d.z, 2 * reach));
+        std::size_t slot = slot_of(key, slots);
+        while (grid.cells[slot].count > 0 && grid.cells[slot].key != key) slot = (slot + 1) & (slots - 1);
+        grid.cells[slot].key = key;
+        ++grid.cells[slot].count;
+        slot_of_site[i] = static_cast<std::uint32_t>(slot);
+    }
+    std::uint32_t first = 0;
+    for (Cell& cell : grid.cells) cell.first = first, first += cell.count;
+    std::vector<std::uint32_t> filled(slots, 0);
+    grid.sites.resize(sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        const std::uint32_t slot = slot_of_site[i];
+        grid.sites[grid.cells[slot].first + filled[slot]++] = sites[i];
+    }
+    return grid;
+}
+
+std::optional<Relief::Fit> Relief::fit(const Grid& grid, glm::dvec3 base, glm::dvec3 n) const {
+    constexpr std::size_t kFewest = 3;
+    const glm::dvec3 aside = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 u = glm::normalize(glm::cross(n, aside)), v = glm::cross(n, u);
+    const double reach = grid.reach, cell = 2 * reach, softness = 1e-6 * reach * reach;
+    const glm::dvec3 d = base - glm::dvec3(centre_);
+    std::int64_t low[3];
+    for (int k = 0; k < 3; ++k) low[k] = cell_of(d[k] - reach, cell);
+    Sums sums;
+    std::size_t used = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const std::int64_t key =
+            key_of(low[0] + (corner & 1), low[1] + (corner >> 1 & 1), low[2] + (corner >> 2 & 1));
+        std::size_t slot = slot_of(key, grid.cells.size());
+        while (grid.cells[slot].count > 0 && grid.cells[slot].key != key)
+            slot = (slot + 1) & (grid.cells.size() - 1);
+        for (std::uint32_t i = 0; i < grid.cells[slot].count; ++i) {
+            const Site& site = grid.sites[grid.cells[slot].first + i];
+            const glm::dvec3 offset = glm::dvec3(site.base) - base;
+            if (!(glm::dot(glm::dvec3(site.normal), n) > 0.0)) continue;
+            const double x = glm::dot(offset, u), y = glm::dot(offset, v), square = x * x + y * y;
+            if (square >= reach * reach || std::abs(glm::dot(offset, n)) > reach) continue;
+            const double fade = 1.0 - std::sqrt(square) / reach;
+            sums.add(fade * fade / (square + softness), x / reach, y / reach, double{site.value});
+            ++used;
+        }
+    }
+    if (used < kFewest && &grid != &grids_.back()) return std::nullopt;
+    if (!(sums.w > 0)) return std::nullopt;
+    const double x = sums.x / sums.w, y = sums.y / sums.w, value = sums.v / sums.w;
+    constexpr double kRidge = 1e-10;  // settles sites along a line
+    const double xx = sums.xx / sums.w - x * x + kRidge, yy = sums.yy / sums.w - y * y + kRidge,
+                 xy = sums.xy / sums.w - x * y, xv = sums.xv / sums.w - x * value,
+                 yv = sums.yv / sums.w - y * value;
+    const double determinant = xx * yy - xy * xy;
+    const double sx = (xv * yy - yv * xy) / determinant, sy = (yv * xx - xv * xy) / determinant;
+    return Fit{std::clamp(value - sx * x - sy * y, sums.low, sums.high), std::hypot(sx, sy) / reach};
+}
+
+std::optional<Relief::Fit> Relief::at(glm::vec3 base, glm::vec3 normal) const {
+    for (const Grid& grid : grids_)
+        if (const auto found = fit(grid, glm::dvec3(base), glm::dvec3(normal))) return found;
+    return std::nullopt;
+}
+
+}  // namespace relievo
