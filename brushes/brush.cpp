@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace relievo {
 namespace {
@@ -28,13 +29,21 @@ constexpr std::array kParameters{
                    &Brush::grain, tool_set({Tool::noise})},
     BrushParameter{"seed", "", "Another number gives other bumps", 0.0f, 65535.0f, 0.0f, &Brush::seed,
                    tool_set({Tool::noise})},
+    BrushParameter{"radial", "turns", "Copies of the stroke around an axis of the object; 1 is none", 1.0f,
+                   64.0f, 1.0f, &Brush::radial},
 };
 
 constexpr std::array kFlags{
-    BrushFlag{"invert", "The opposite: draw lowers, pinch spreads, clay scrapes, crease raises", false,
-              &Brush::invert, kRaising | tool_set({Tool::pinch})},
+    BrushFlag{"invert", "The opposite: draw lowers, pinch spreads, clay scrapes, crease raises, mask frees",
+              false, &Brush::invert, kRaising | tool_set({Tool::pinch, Tool::mask})},
     BrushFlag{"accumulate", "Each pass of a stroke adds to the last; off, a stroke has one height throughout",
-              true, &Brush::accumulate, kRaising},
+              true, &Brush::accumulate, tool_set({Tool::draw, Tool::inflate, Tool::noise})},
+    BrushFlag{"mirror_x", "Every dab is repeated across the plane x = 0 of the object", false,
+              &Brush::mirror_x},
+    BrushFlag{"mirror_y", "Every dab is repeated across the plane y = 0 of the object", false,
+              &Brush::mirror_y},
+    BrushFlag{"mirror_z", "Every dab is repeated across the plane z = 0 of the object", false,
+              &Brush::mirror_z},
 };
 
 constexpr std::array kTools{
@@ -50,9 +59,11 @@ constexpr std::array kTools{
     ToolInfo{Tool::grab, "grab", "Takes hold of the surface and moves it with the hand"},
     ToolInfo{Tool::smear, "smear", "Carries the relief along with the stroke"},
     ToolInfo{Tool::noise, "noise", "Roughens the surface with bumps of a set size"},
+    ToolInfo{Tool::mask, "mask", "Paints what every other tool leaves as it is; inverted, frees it again"},
 };
 
 constexpr std::array<std::string_view, 4> kFalloffs{"smooth", "linear", "sharp", "constant"};
+constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 
 }  // namespace
 
@@ -68,6 +79,9 @@ std::span<const ToolInfo> tools() {
 std::span<const std::string_view> falloff_names() {
     return kFalloffs;
 }
+std::span<const std::string_view> axis_names() {
+    return kAxes;
+}
 
 void check_brush(const Brush& brush) {
     for (const BrushParameter& parameter : kParameters) {
@@ -78,8 +92,12 @@ void check_brush(const Brush& brush) {
                 << parameter.high;
         throw std::invalid_argument(message.str());
     }
-    if (brush.seed != std::floor(brush.seed))
-        throw std::invalid_argument("brush seed: must be a whole number");
+    for (const float whole : {brush.seed, brush.radial})
+        if (whole != std::floor(whole))
+            throw std::invalid_argument(std::string("brush ") + (whole == brush.seed ? "seed" : "radial") +
+                                        ": must be a whole number");
+    if (static_cast<std::size_t>(brush.radial_axis) >= kAxes.size())
+        throw std::invalid_argument("brush radial_axis: no such axis");
     if (static_cast<std::size_t>(brush.tool) >= kTools.size())
         throw std::invalid_argument("brush tool: no such tool");
     if (static_cast<std::size_t>(brush.falloff) >= kFalloffs.size())

@@ -22,15 +22,17 @@ enum class Tool : std::uint8_t {
     pinch,
     grab,
     smear,
-    noise
+    noise,
+    mask
 };
+enum class Axis : std::uint8_t { x, y, z };
 enum class Falloff : std::uint8_t { smooth, linear, sharp, constant };
 
 struct Brush {
     Tool tool = Tool::draw;
     Falloff falloff = Falloff::smooth;
-    bool invert = false;     // the opposite: draw lowers, pinch spreads, clay scrapes, crease raises
-    float radius = 0.1f;     // world units, > 0
+    bool invert = false;  // the opposite: draw lowers, pinch spreads, clay scrapes, crease raises, mask frees
+    float radius = 0.1f;  // world units, > 0
     float strength = 0.5f;   // [0, 1]; what it means for each tool stands in brushes/dab_tools.h
     float hardness = 0.0f;   // [0, 1): the inner fraction of the radius at full strength
     float spacing = 0.15f;   // arc length between dabs as a fraction of the radius, [0.02, 1]
@@ -38,7 +40,18 @@ struct Brush {
     float grain = 0.25f;     // size of the noise tool's bumps as a fraction of the radius, [0.02, 4]
     float seed = 0.0f;       // which noise, a whole number in [0, 65535]
     bool accumulate = true;  // false: passing again within the stroke adds nothing
+    // Symmetry in the object's own space, about its origin: the stroke is repeated by every combination.
+    bool mirror_x = false, mirror_y = false, mirror_z = false;
+    float radial = 1.0f;         // turns, a whole number in [1, 64]; 1: none
+    Axis radial_axis = Axis::y;  // that they go about
     bool operator==(const Brush&) const = default;
+};
+
+// A point of the base mesh, quantised.
+struct FacePoint {
+    std::uint32_t face = 0;
+    std::uint32_t b1 = 0, b2 = 0;  // as in Dab
+    bool operator==(const FacePoint&) const = default;
 };
 
 // One dab as it is journaled: quantised before it is used, so that live stroke and replay consume the same
@@ -97,6 +110,7 @@ struct ToolInfo {
 };
 std::span<const ToolInfo> tools();
 std::span<const std::string_view> falloff_names();  // in the order of Falloff
+std::span<const std::string_view> axis_names();     // in the order of Axis
 
 // Throws std::invalid_argument that names the first setting outside its range (NaN included) and the range.
 void check_brush(const Brush& brush);

@@ -55,17 +55,26 @@ void apply(const Work& work) {
             return smear(work);
         case Tool::noise:
             return noise(work);
+        case Tool::mask:
+            return move_to(work, work.brush.invert ? 0.0f : kTop);
     }
 }
 
 }  // namespace
 
+bool adds_up(const Brush& brush) {
+    constexpr ToolSet kTowardsTarget =
+        tool_set({Tool::smooth, Tool::flatten, Tool::level, Tool::erase, Tool::clay, Tool::mask});
+    return brush.accumulate && !holds(kTowardsTarget, brush.tool);
+}
+
 std::vector<TexelChange> dab_changes(const Brush& brush, const DabPlace& place, const Surface& surface,
-                                     const Seams& seams, const StrokeTiles& stroke) {
+                                     const Seams& seams, const StrokeTiles& stroke, const HeightMap* mask) {
     std::vector<TexelChange> changes;
     const double counts_per_unit = double{kTop} / double{surface.amplitude()};
-    if (!std::isfinite(counts_per_unit) || counts_per_unit == 0.0) return changes;
-    apply({brush, place, surface, seams, stroke, counts_per_unit, changes});
+    if (brush.tool != Tool::mask && (!std::isfinite(counts_per_unit) || counts_per_unit == 0.0))
+        return changes;
+    apply({brush, place, surface, seams, stroke, mask, counts_per_unit, changes});
     return changes;
 }
 

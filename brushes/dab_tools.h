@@ -20,10 +20,12 @@
 //   flatten  at each dab, and so go on while the brush stays.
 //   pinch    draws the relief in by kPinch * s * f * spacing / kUnitSpacing of its distance to the centre.
 //   smear    carries the relief along with the hand, s * f of the way from the last dab.
+//   mask     as level, on the mask: to 65535, protected; inverted, to 0.
 //   grab     moves what the first dab held by s * f of the hand's drag, its relief along the surface and its
 //            height by the drag's part along the normal.
-// invert turns draw, inflate, noise, clay, crease and pinch round. No tool does anything where the amplitude
-// is 0, not finite, or so small that a count has no size.
+// invert turns draw, inflate, noise, clay, crease, pinch and mask round. Where the mask protects a texel, s
+// is less by as much. No tool but mask does anything where the amplitude is 0, not finite, or so small that a
+// count has no size.
 #pragma once
 
 #include <memory>
@@ -51,6 +53,7 @@ struct DabPlace {
     float radius;                 // of this dab, world units
     glm::vec3 motion{0};          // from the last dab, world units; 0 at a stroke's first and after a jump
     glm::vec3 drag{0};            // of grab since the stroke began, world units
+    float share;                  // of the strength, [0, 1]: copies by symmetry that overlap share it
     std::shared_ptr<Hold>& hold;  // of the stroke, null at first
 };
 
@@ -60,9 +63,12 @@ struct TexelChange {
     float from, to;
 };
 
+// Whether changes that overlapping copies want of a texel add up; else the largest counts.
+bool adds_up(const Brush& brush);
+
 // The changes of one dab, sorted by (y, x), each texel once. Reads `surface` (and by it the map as the last
-// dab left it) and `stroke`; writes nothing but place.hold.
+// dab left it) and `stroke`; writes nothing but place.hold. `mask`: 65535 protects a texel; null: none.
 std::vector<TexelChange> dab_changes(const Brush& brush, const DabPlace& place, const Surface& surface,
-                                     const Seams& seams, const StrokeTiles& stroke);
+                                     const Seams& seams, const StrokeTiles& stroke, const HeightMap* mask);
 
 }  // namespace relievo

@@ -18,6 +18,7 @@ struct Work {
     const Surface& surface;
     const Seams& seams;
     const StrokeTiles& stroke;
+    const HeightMap* mask;   // null: nothing is protected
     double counts_per_unit;  // of world height, signed; finite
     std::vector<TexelChange>& changes;
 
@@ -25,7 +26,13 @@ struct Work {
         const float part = std::min(texel.distance / place.radius, 1.0f);
         return falloff_weight(brush.falloff, brush.hardness, part);
     }
-    float weight(const SurfaceTexel& texel) const { return brush.strength * place.pressure * falloff(texel); }
+    // 0 where the mask protects the texel.
+    float free(const SurfaceTexel& t) const {
+        return mask ? 1.0f - static_cast<float>(mask->at(t.x, t.y)) / kTop : 1.0f;
+    }
+    float weight(const SurfaceTexel& texel) const {
+        return brush.strength * place.pressure * falloff(texel) * (place.share * free(texel));
+    }
     // Steps towards a target are scaled so that a pass does the same at any spacing.
     float weight_of_step(const SurfaceTexel& texel) const {
         return std::min(weight(texel) * (brush.spacing / kUnitSpacing), 1.0f);

@@ -16,13 +16,19 @@ namespace {
 float grid_mean(const Work& work, const TexelRect& map, const SurfaceTexel& texel) {
     constexpr int kStep[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
     float sum = 0.0f, count = 0.0f;
+    double exact = 0.0;
     for (const auto& step : kStep) {
         const int x = texel.x + step[0], y = texel.y + step[1];
         if (x < 0 || y < 0 || x >= map.x1 || y >= map.y1) continue;
         if (!work.surface.owned(x, y) && !work.seams.is_gutter(x, y)) continue;
         sum += work.stroke.value(x, y);
+        exact += double{work.stroke.value(x, y)};
         count += 1.0f;
     }
+    // In mirrored texels the neighbours come in another order, and float would round differently. Without
+    // mirrors it stays float, as journals were recorded.
+    const Brush& brush = work.brush;
+    if (brush.mirror_x || brush.mirror_y || brush.mirror_z) sum = static_cast<float>(exact);
     const float own = work.value(texel);
     return count > 0.0f ? 0.5f * (own + sum / count) : own;
 }

@@ -105,7 +105,7 @@ float followed(const Work& work, const Hold& hold, const SurfaceTexel& texel, gl
         there.distance = glm::length(texel.position - part * tangent - hold.centre);
         return there.distance < work.place.radius ? work.weight(there) : 0.0f;
     };
-    float low = 0.0f, high = work.brush.strength * work.place.pressure;
+    float low = 0.0f, high = work.brush.strength * work.place.pressure * work.place.share;
     if (weight_at(0.0f) == 0.0f && weight_at(high) == 0.0f) return 0.0f;
     for (int i = 0; i < kHalvings; ++i) {
         const float middle = 0.5f * (low + high);

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "brushes/dab_tools.h"
+#include "brushes/mask_blur.h"
 #include "brushes/seams.h"
 #include "brushes/stroke_tiles.h"
+#include "brushes/symmetry.h"
 #include "brushes/undo_stack.h"
 
 namespace relievo {
@@ -26,24 +29,86 @@ struct Sculptor::State {
             (wanted ? " needs a stroke: call begin first" : " during a stroke: end it first"));
     }
 
+    // The hand (first) or a copy by symmetry, with what the stroke remembers of it, in its own frame.
+    struct Branch {
+        std::unique_ptr<TurnedSurface> turned;  // null without symmetry
+        std::optional<glm::vec3> last_place;    // of the last dab, world units
+        std::shared_ptr<Hold> hold;
+    };
+
+    Layer layer() const { return brush.tool == Tool::mask ? Layer::mask : Layer::height; }
+    HeightMap& map_of(Layer which) { return which == Layer::mask ? need_mask() : map; }
+    HeightMap& need_mask() {
+        if (!mask) mask.emplace(map.width(), map.height(), std::uint16_t{0});
+        return *mask;
+    }
+    // What protects texels from the stroke's tool.
+    const HeightMap* protection() const { return layer() == Layer::height && mask ? &*mask : nullptr; }
+    std::vector<TexelRect> shown(std::vector<TexelRect> rects, Layer which);
+
+    void start(const Brush& the_brush);
+    void check(const Dab& dab) const;
+    void check(const FacePoint& point) const;
+    // Takes a checked dab in steps of the drag that grab can follow.
+    void apply(const Dab& dab, std::span<const FacePoint> copies);
+    void apply_step(const Dab& dab, std::span<const FacePoint> copies, glm::vec3 drag);
+    std::vector<TexelRect> take(bool redo);
+    void change_mask(const std::function<void(HeightMap&)>& change);
+
     HeightMap& map;
     const Surface& surface;
     Seams seams;
     UndoStack undo;
-    // Takes a checked dab in steps of the drag that grab can follow.
-    void apply(const Dab& dab);
-    void apply_step(const Dab& dab, glm::vec3 drag);
-
+    std::optional<HeightMap> mask;
+    std::uint64_t mask_revision = 0;
     Brush brush;
-    std::optional<StrokeTiles> stroke;
-    std::optional<glm::vec3> last_place;  // of the stroke's last dab, world units
-    glm::vec3 last_drag{0};               // world units
-    std::shared_ptr<Hold> hold;
+    std::optional<StrokeTiles> stroke;  // over the brush's layer
+    std::vector<Branch> branches;
+    glm::vec3 last_drag{0};   // world units
     std::size_t clipped = 0;  // of the last stroke
 };
 
-void Sculptor::State::apply(const Dab& dab) {
-    if (brush.tool != Tool::grab) return apply_step(dab, glm::vec3(0));
+std::vector<TexelRect> Sculptor::State::shown(std::vector<TexelRect> rects, Layer which) {
+    if (which == Layer::height) return merge_rects(std::move(rects));
+    if (!rects.empty()) ++mask_revision;
+    return {};
+}
+
+void Sculptor::State::start(const Brush& the_brush) {
+    const std::vector<glm::dmat4> copies = symmetry_copies(the_brush, surface.world_from_object());
+    brush = the_brush;
+    branches.clear();
+    for (const glm::dmat4& copy : copies) {
+        branches.emplace_back();
+        if (copies.size() > 1) branches.back().turned = std::make_unique<TurnedSurface>(surface, copy);
+    }
+    last_drag = glm::vec3(0);
+    stroke.emplace(map_of(layer()));
+}
+
+void Sculptor::State::check(const FacePoint& point) const {
+    if (point.face >= surface.face_count())
+        throw std::out_of_range("dab on face " + std::to_string(point.face) + " of a mesh with " +
+                                std::to_string(surface.face_count()) + " faces");
+    if (point.b1 > Dab::kBarycentricOne || point.b2 > Dab::kBarycentricOne - point.b1)
+        throw std::out_of_range("dab outside its face: barycentrics " + std::to_string(point.b1) + " and " +
+                                std::to_string(point.b2) + " must add up to at most " +
+                                std::to_string(Dab::kBarycentricOne));
+}
+
+void Sculptor::State::check(const Dab& dab) const {
+    check(FacePoint{dab.face, dab.b1, dab.b2});
+    if (dab.size < 1 || dab.size > Dab::kSizeOne)
+        throw std::out_of_range("dab of size " + std::to_string(dab.size) + ": it must be 1 to " +
+                                std::to_string(Dab::kSizeOne));
+    for (const std::int32_t part : dab.drag)
+        if (part < -Dab::kLargestDrag || part > Dab::kLargestDrag)
+            throw std::out_of_range("dab with a drag of " + std::to_string(part) + ": it must be at most " +
+                                    std::to_string(Dab::kLargestDrag) + " either way");
+}
+
+void Sculptor::State::apply(const Dab& dab, std::span<const FacePoint> copies) {
+    if (brush.tool != Tool::grab) return apply_step(dab, copies, glm::vec3(0));
     constexpr float kLongestStep = 0.4f;  // of the radius
     constexpr int kMostSteps = 1000;
     const float unit = brush.radius / static_cast<float>(Dab::kDragOne);
@@ -52,30 +117,96 @@ void Sculptor::State::apply(const Dab& dab) {
     const float radius = brush.radius * (static_cast<float>(dab.size) / static_cast<float>(Dab::kSizeOne));
     const float way = glm::length(to - from) / (kLongestStep * radius);
     const int steps = static_cast<int>(std::clamp(std::ceil(way), 1.0f, static_cast<float>(kMostSteps)));
-    for (int i = 1; i <= steps; ++i)
-        apply_step(
-            dab, i == steps ? to : from + (static_cast<float>(i) / static_cast<float>(steps)) * (to - from));
+    for (int i = 1; i <= steps; ++i) {
+        const float part = static_cast<float>(i) / static_cast<float>(steps);
+        apply_step(dab, copies, i == steps ? to : from + part * (to - from));
+    }
     last_drag = to;
 }
 
-void Sculptor::State::apply_step(const Dab& dab, glm::vec3 drag) {
+namespace {
+
+// Copies that lie on one another do together what one does: each takes the share of the strength that is left
+// when the overlap of the balls, along the line between their centres, is divided among them.
+std::vector<float> shares(const std::vector<glm::dvec3>& centres, double radius) {
+    std::vector<float> parts;
+    for (const glm::dvec3& a : centres) {
+        double overlap = 0;
+        for (const glm::dvec3& b : centres)
+            overlap += std::max(0.0, 1.0 - glm::length(a - b) / (2.0 * radius));
+        parts.push_back(static_cast<float>(1.0 / std::max(overlap, 1.0)));
+    }
+    return parts;
+}
+
+// Writes the changes of a dab's copies, in any order to the same effect.
+void apply_together(std::vector<TexelChange> changes, bool add_up, StrokeTiles& stroke) {
+    std::stable_sort(changes.begin(), changes.end(), [](const TexelChange& a, const TexelChange& b) {
+        return a.y != b.y ? a.y < b.y : a.x < b.x;
+    });
+    for (std::size_t i = 0; i < changes.size();) {
+        const TexelChange first = changes[i];
+        double sum = 0;
+        float largest = 0;
+        std::size_t count = 0;
+        for (; i < changes.size() && changes[i].x == first.x && changes[i].y == first.y; ++i, ++count) {
+            const float step = changes[i].to - changes[i].from;
+            sum += double{step};
+            if (std::abs(step) > std::abs(largest) || (step == -largest && step > 0)) largest = step;
+        }
+        const float together = first.from + (add_up ? static_cast<float>(sum) : largest);
+        stroke.set_change(first.x, first.y, count == 1 ? first.to : together);
+    }
+}
+
+}  // namespace
+
+void Sculptor::State::apply_step(const Dab& dab, std::span<const FacePoint> copies, glm::vec3 drag) {
     constexpr float kUnit = 1.0f / static_cast<float>(Dab::kBarycentricOne);
     constexpr float kJump = 2.0f;  // radii between dabs beyond which the hand has jumped
-    const SurfacePoint centre =
-        surface.at(dab.face, static_cast<float>(dab.b1) * kUnit, static_cast<float>(dab.b2) * kUnit);
-    glm::vec3 motion = last_place ? centre.position - *last_place : glm::vec3(0);
-    if (!(glm::length(motion) < kJump * brush.radius)) motion = glm::vec3(0);
-    const DabPlace place{
-        centre,
-        std::min(static_cast<float>(dab.pressure) / static_cast<float>(Dab::kPressureOne), 1.0f),
-        brush.radius * (static_cast<float>(dab.size) / static_cast<float>(Dab::kSizeOne)),
-        motion,
-        drag,
-        hold};
-    for (const TexelChange& change : dab_changes(brush, place, surface, seams, *stroke))
-        stroke->set_change(change.x, change.y, change.to);
+    const float radius = brush.radius * (static_cast<float>(dab.size) / static_cast<float>(Dab::kSizeOne));
+    const float pressure =
+        std::min(static_cast<float>(dab.pressure) / static_cast<float>(Dab::kPressureOne), 1.0f);
+    std::vector<SurfacePoint> centres;
+    std::vector<glm::dvec3> places;  // in world space
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        const FacePoint point = i == 0 ? FacePoint{dab.face, dab.b1, dab.b2} : copies[i - 1];
+        const float b1 = static_cast<float>(point.b1) * kUnit, b2 = static_cast<float>(point.b2) * kUnit;
+        const Surface& seen = branches[i].turned ? *branches[i].turned : surface;
+        centres.push_back(seen.at(point.face, b1, b2));
+        places.emplace_back(surface.at(point.face, b1, b2).position);
+    }
+    const bool add_up = adds_up(brush);
+    const std::vector<float> share =
+        add_up ? shares(places, double{radius}) : std::vector<float>(branches.size(), 1.0f);
+    std::vector<TexelChange> changes;
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        Branch& branch = branches[i];
+        glm::vec3 motion = branch.last_place ? centres[i].position - *branch.last_place : glm::vec3(0);
+        if (!(glm::length(motion) < kJump * brush.radius)) motion = glm::vec3(0);
+        branch.last_place = centres[i].position;
+        const DabPlace place{centres[i], pressure, radius, motion, drag, share[i], branch.hold};
+        const Surface& seen = branch.turned ? *branch.turned : surface;
+        const std::vector<TexelChange> own = dab_changes(brush, place, seen, seams, *stroke, protection());
+        changes.insert(changes.end(), own.begin(), own.end());
+    }
+    apply_together(std::move(changes), add_up, *stroke);
     seams.follow(*stroke);
-    last_place = centre.position;
+}
+
+std::vector<TexelRect> Sculptor::State::take(bool redo) {
+    if (redo ? !undo.can_redo() : !undo.can_undo()) return {};
+    const Layer which = redo ? undo.next_redo() : undo.next_undo();
+    if (which == Layer::height) clipped = 0;  // no longer of the map's last change
+    return shown(redo ? undo.redo(map_of(which)) : undo.undo(map_of(which)), which);
+}
+
+void Sculptor::State::change_mask(const std::function<void(HeightMap&)>& change) {
+    const HeightMap before = need_mask();
+    change(*mask);
+    seams.copy_all(*mask);
+    undo.push(before, *mask, Layer::mask);
+    ++mask_revision;
 }
 
 Sculptor::Sculptor(HeightMap& map, const Surface& surface, std::size_t undo_budget)
@@ -86,48 +217,36 @@ Sculptor::~Sculptor() = default;
 void Sculptor::begin(const Brush& brush) {
     state_->require_stroke(false, "begin");
     check_brush(brush);
-    state_->brush = brush;
-    state_->stroke.emplace(state_->map);
-    state_->last_place.reset();
-    state_->last_drag = glm::vec3(0);
-    state_->hold.reset();
+    state_->start(brush);
 }
 
-std::vector<TexelRect> Sculptor::dab(const Dab& dab) {
+std::vector<TexelRect> Sculptor::dab(const Dab& dab, std::span<const FacePoint> copies) {
     state_->require_stroke(true, "dab");
-    if (dab.face >= state_->surface.face_count())
-        throw std::out_of_range("dab on face " + std::to_string(dab.face) + " of a mesh with " +
-                                std::to_string(state_->surface.face_count()) + " faces");
-    if (dab.b1 > Dab::kBarycentricOne || dab.b2 > Dab::kBarycentricOne - dab.b1)
-        throw std::out_of_range("dab outside its face: barycentrics " + std::to_string(dab.b1) + " and " +
-                                std::to_string(dab.b2) + " must add up to at most " +
-                                std::to_string(Dab::kBarycentricOne));
-    if (dab.size < 1 || dab.size > Dab::kSizeOne)
-        throw std::out_of_range("dab of size " + std::to_string(dab.size) + ": it must be 1 to " +
-                                std::to_string(Dab::kSizeOne));
-    for (const std::int32_t part : dab.drag)
-        if (part < -Dab::kLargestDrag || part > Dab::kLargestDrag)
-            throw std::out_of_range("dab with a drag of " + std::to_string(part) + ": it must be at most " +
-                                    std::to_string(Dab::kLargestDrag) + " either way");
-    state_->apply(dab);
-    StrokeTiles& stroke = *state_->stroke;
-    return merge_rects(stroke.take_dirty());
+    state_->check(dab);
+    if (copies.size() + 1 != state_->branches.size())
+        throw std::out_of_range("dab with " + std::to_string(copies.size()) +
+                                " copies: the brush's symmetry makes " +
+                                std::to_string(state_->branches.size() - 1));
+    for (const FacePoint& copy : copies) state_->check(copy);
+    state_->apply(dab, copies);
+    return state_->shown(state_->stroke->take_dirty(), state_->layer());
 }
 
 std::vector<TexelRect> Sculptor::end() {
     state_->require_stroke(true, "end");
     StrokeTiles& stroke = *state_->stroke;
-    state_->seams.settle(stroke);
-    std::vector<TexelRect> rects = merge_rects(stroke.take_dirty());
-    state_->undo.push(stroke, state_->map);
-    state_->clipped = stroke.clipped_texels();
+    const Layer layer = state_->layer();
+    state_->seams.settle(stroke, state_->protection());
+    std::vector<TexelRect> rects = state_->shown(stroke.take_dirty(), layer);
+    state_->undo.push(stroke, state_->map_of(layer), layer);
+    state_->clipped = layer == Layer::height ? stroke.clipped_texels() : 0;
     state_->stroke.reset();
     return rects;
 }
 
 std::vector<TexelRect> Sculptor::cancel() {
     state_->require_stroke(true, "cancel");
-    std::vector<TexelRect> rects = merge_rects(state_->stroke->restore());
+    std::vector<TexelRect> rects = state_->shown(state_->stroke->restore(), state_->layer());
     state_->clipped = 0;
     state_->stroke.reset();
     return rects;
@@ -135,6 +254,38 @@ std::vector<TexelRect> Sculptor::cancel() {
 
 bool Sculptor::in_stroke() const {
     return state_->stroke.has_value();
+}
+
+void Sculptor::clear_mask() {
+    state_->require_stroke(false, "clear_mask");
+    if (!state_->mask) return;
+    state_->change_mask([](HeightMap& mask) { std::ranges::fill(mask.texels(), std::uint16_t{0}); });
+}
+
+void Sculptor::invert_mask() {
+    state_->require_stroke(false, "invert_mask");
+    state_->change_mask([](HeightMap& mask) {
+        for (std::uint16_t& texel : mask.texels()) texel = static_cast<std::uint16_t>(65535 - texel);
+    });
+}
+
+void Sculptor::blur_mask() {
+    state_->require_stroke(false, "blur_mask");
+    if (!state_->mask) return;
+    constexpr int kRounds = 4;
+    state_->change_mask([&](HeightMap& mask) {
+        for (int round = 0; round < kRounds; ++round) {
+            blur_once(mask, state_->surface, state_->seams);
+            state_->seams.copy_all(mask);
+        }
+    });
+}
+
+const HeightMap* Sculptor::mask() const {
+    return state_->mask ? &*state_->mask : nullptr;
+}
+std::uint64_t Sculptor::mask_revision() const {
+    return state_->mask_revision;
 }
 
 bool Sculptor::can_undo() const {
@@ -146,14 +297,12 @@ bool Sculptor::can_redo() const {
 
 std::vector<TexelRect> Sculptor::undo() {
     state_->require_stroke(false, "undo");
-    state_->clipped = 0;  // no longer of the map's last change
-    return merge_rects(state_->undo.undo(state_->map));
+    return state_->take(false);
 }
 
 std::vector<TexelRect> Sculptor::redo() {
     state_->require_stroke(false, "redo");
-    state_->clipped = 0;
-    return merge_rects(state_->undo.redo(state_->map));
+    return state_->take(true);
 }
 
 std::uint64_t Sculptor::steps_made() const {
@@ -167,7 +316,8 @@ std::size_t Sculptor::undo_budget() const {
 }
 
 std::size_t Sculptor::clipped_texels() const {
-    return state_->stroke ? state_->stroke->clipped_texels() : state_->clipped;
+    if (!state_->stroke) return state_->clipped;
+    return state_->layer() == Layer::height ? state_->stroke->clipped_texels() : 0;
 }
 
 }  // namespace relievo

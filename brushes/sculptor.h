@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "brushes/brush.h"
@@ -28,15 +29,30 @@ class Sculptor {
     // During a stroke the map is the rounded float state, and seam copies hold after every dab; the equations
     // of slanted seams are solved by end(), until when their outer texels merely extend the island. Memory of
     // a stroke: 25 KB for each 64 x 64 tile that it touches.
+    //
+    // A stroke of the mask tool changes the mask alone: its calls return no rectangles.
+    //
+    // `copies`: where the copies of the dab lie that the brush's symmetry makes, one for each of
+    // symmetry_copies() but the first (brushes/symmetry.h); another number throws std::out_of_range. All of a
+    // dab's copies are worked out on the same state of the map, then applied together.
     void begin(const Brush& brush);
-    std::vector<TexelRect> dab(const Dab& dab);
+    std::vector<TexelRect> dab(const Dab& dab, std::span<const FacePoint> copies = {});
     std::vector<TexelRect> end();
     std::vector<TexelRect> cancel();
     bool in_stroke() const;
 
+    // Steps of their own, like strokes. Throw std::logic_error in a stroke.
+    void clear_mask();   // frees everything
+    void invert_mask();  // protects what was free, and the other way round
+    void blur_mask();    // softens its borders by a few texels, across islands
+    // Counts: 65535 protects a texel from every tool but mask, 0 frees it. Null while nothing was ever
+    // masked.
+    const HeightMap* mask() const;
+    std::uint64_t mask_revision() const;  // changes whenever mask() does
+
     bool can_undo() const;
     bool can_redo() const;
-    std::vector<TexelRect> undo();  // nothing to undo: empty
+    std::vector<TexelRect> undo();  // the height map's; nothing to undo, or a step of the mask: empty
     std::vector<TexelRect> redo();
     std::uint64_t steps_made()
         const;  // strokes so far that changed texels, whether their step is still held or not

@@ -219,8 +219,13 @@ SeamSystem Seams::system_on(const std::vector<std::uint32_t>& unknowns, const St
     return system;
 }
 
-void Seams::settle(StrokeTiles& stroke) const {
-    const std::vector<std::uint32_t> unknowns = touched_texels(stroke);
+void Seams::copy_all(HeightMap& map) const {
+    for (const SeamCopy& copy : copies_) map.texels()[copy.gutter] = map.texels()[copy.source];
+}
+
+void Seams::settle(StrokeTiles& stroke, const HeightMap* mask) const {
+    std::vector<std::uint32_t> unknowns = touched_texels(stroke);
+    if (mask) std::erase_if(unknowns, [&](std::uint32_t t) { return mask->texels()[t] == 65535; });
     if (unknowns.empty()) return;
     const std::vector<double> steps = solve_seam(system_on(unknowns, stroke));
     for (std::size_t i = 0; i < unknowns.size(); ++i) {

@@ -35,8 +35,12 @@ class Seams {
     // After a dab: copies what changed, and extends islands to the loose texels beside what changed.
     void follow(StrokeTiles& stroke) const;
 
-    // At a stroke's end: solves the equations that it touched, then follows.
-    void settle(StrokeTiles& stroke) const;
+    // At a stroke's end: solves the equations that it touched, then follows. What the mask protects wholly
+    // stands fixed (null: nothing).
+    void settle(StrokeTiles& stroke, const HeightMap* mask = nullptr) const;
+
+    // Makes every gutter texel of a map that was changed without a stroke equal to its source.
+    void copy_all(HeightMap& map) const;
 
   private:
     // What lies in each tile: (tile, item), sorted.

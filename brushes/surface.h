@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -54,6 +55,17 @@ class Surface {
     // `radius` to `centre`, across islands, each once, sorted by (y, x): the same answer on every machine.
     // Appends nothing for a radius that is not positive and finite. `out` is cleared first.
     virtual void texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const = 0;
+
+    // The same with every place computed in double and rounded once: texels that mirror each other get places
+    // that mirror each other. texels_in_ball is faster, and what journals without symmetry were recorded
+    // with.
+    virtual void precise_texels_in_ball(glm::vec3 centre, float radius,
+                                        std::vector<SurfaceTexel>& out) const {
+        texels_in_ball(centre, radius, out);
+    }
+
+    // From the object's own space, in which symmetry has its planes and axes, to that of the positions.
+    virtual glm::dmat4 world_from_object() const { return glm::dmat4(1.0); }
 
     // True where the texel's centre lies in a triangle's texture footprint, that is where texels_in_ball
     // could name it. As it stands: of a surface that covers its whole map.

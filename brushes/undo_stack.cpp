@@ -4,32 +4,43 @@
 #include <utility>
 
 namespace relievo {
-namespace {
 
-// The part of `rect` whose texels differ from those before: what a wandering stroke changed and changed back,
-// or never rounded to another count, needs no memory.
-TexelRect changed_part(const StrokeTiles& stroke, const HeightMap& map, const TexelRect& rect) {
-    TexelRect changed;
+// Only the part of `within` whose texels differ from those before: what a wandering stroke changed and
+// changed back, or never rounded to another count, needs no memory.
+template <typename Before>
+void UndoStack::add_patch(Step& step, const TexelRect& within, const HeightMap& map, Before before) {
+    Patch patch;
+    for (int y = within.y0; y < within.y1; ++y)
+        for (int x = within.x0; x < within.x1; ++x)
+            if (before(x, y) != map.at(x, y)) patch.rect.include(x, y);
+    const TexelRect& rect = patch.rect;
+    if (rect.empty()) return;
+    patch.texels.reserve(static_cast<std::size_t>(rect.area()));
     for (int y = rect.y0; y < rect.y1; ++y)
-        for (int x = rect.x0; x < rect.x1; ++x)
-            if (stroke.before(x, y) != map.at(x, y)) changed.include(x, y);
-    return changed;
+        for (int x = rect.x0; x < rect.x1; ++x) patch.texels.push_back(before(x, y));
+    step.bytes += sizeof(Patch) + patch.texels.size() * sizeof(std::uint16_t);
+    step.patches.push_back(std::move(patch));
 }
 
-}  // namespace
-
-void UndoStack::push(const StrokeTiles& stroke, const HeightMap& map) {
+void UndoStack::push(const StrokeTiles& stroke, const HeightMap& map, Layer layer) {
     Step step;
-    for (const std::uint32_t index : stroke.touched()) {
-        const TexelRect rect = changed_part(stroke, map, stroke.tile(index)->ever_dirty);
-        if (rect.empty()) continue;
-        Patch patch{rect, {}};
-        patch.texels.reserve(static_cast<std::size_t>(rect.area()));
-        for (int y = rect.y0; y < rect.y1; ++y)
-            for (int x = rect.x0; x < rect.x1; ++x) patch.texels.push_back(stroke.before(x, y));
-        step.bytes += sizeof(Patch) + patch.texels.size() * sizeof(std::uint16_t);
-        step.patches.push_back(std::move(patch));
-    }
+    step.layer = layer;
+    for (const std::uint32_t index : stroke.touched())
+        add_patch(step, stroke.tile(index)->ever_dirty, map,
+                  [&](int x, int y) { return stroke.before(x, y); });
+    push_step(std::move(step));
+}
+
+void UndoStack::push(const HeightMap& before, const HeightMap& map, Layer layer) {
+    Step step;
+    step.layer = layer;
+    const TileGrid grid(map.width(), map.height());
+    for (std::uint32_t tile = 0; tile < grid.count(); ++tile)
+        add_patch(step, grid.texels_of(tile), map, [&](int x, int y) { return before.at(x, y); });
+    push_step(std::move(step));
+}
+
+void UndoStack::push_step(Step step) {
     if (step.patches.empty()) return;
 
     for (const Step& dropped : redo_) bytes_ -= dropped.bytes;

@@ -1,6 +1,6 @@
 // Undo and redo under a byte budget. A step holds, for each 64 x 64 tile that a stroke changed, the changed
 // rectangle's texels on the other side of the step; applying it swaps them with the map's, which turns undo
-// into redo and back.
+// into redo and back. Height map and mask share one stack: steps are taken back in the order they were made.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,23 @@
 
 namespace relievo {
 
+enum class Layer : std::uint8_t { height, mask };
+
 class UndoStack {
   public:
     explicit UndoStack(std::size_t budget) : budget_(budget) {}
 
     // Takes the before-images of a finished stroke as one step, if it changed anything; redo is dropped then.
-    void push(const StrokeTiles& stroke, const HeightMap& map);
+    void push(const StrokeTiles& stroke, const HeightMap& map, Layer layer = Layer::height);
+    // The same for a map that was changed as a whole. Requires equal sizes.
+    void push(const HeightMap& before, const HeightMap& map, Layer layer);
 
     bool can_undo() const { return !undo_.empty(); }
     bool can_redo() const { return !redo_.empty(); }
-    // The rectangles that changed, one a tile; none where there is no step.
+    // Which layer the next step changes. Requires can_undo() or can_redo().
+    Layer next_undo() const { return undo_.back().layer; }
+    Layer next_redo() const { return redo_.back().layer; }
+    // `map`: of that layer. The rectangles that changed, one a tile; none where there is no step.
     std::vector<TexelRect> undo(HeightMap& map) { return move_step(undo_, redo_, map); }
     std::vector<TexelRect> redo(HeightMap& map) { return move_step(redo_, undo_, map); }
 
@@ -36,9 +43,13 @@ class UndoStack {
         std::vector<std::uint16_t> texels;
     };
     struct Step {
+        Layer layer = Layer::height;
         std::vector<Patch> patches;
         std::size_t bytes = 0;
     };
+    template <typename Before>
+    static void add_patch(Step& step, const TexelRect& within, const HeightMap& map, Before before);
+    void push_step(Step step);
     static std::vector<TexelRect> move_step(std::deque<Step>& from, std::deque<Step>& to, HeightMap& map);
 
     std::uint64_t pushed_ = 0;

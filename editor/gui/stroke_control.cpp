@@ -14,17 +14,26 @@ void StrokeControl::begin(const InputEvent& event) {
     Brush brush = chosen;
     if (event.mods & GLFW_MOD_SHIFT) brush.tool = Tool::smooth;
     if (event.mods & GLFW_MOD_CONTROL) brush.invert = !brush.invert;
-    session_->brush() = brush;
-    try {
-        session_->begin_stroke();
-    } catch (...) {
-        session_->brush() = chosen;
-        throw;
-    }
-    session_->brush() = chosen;
-    live_->begin_stroke();
     Session& session = *session_;
     LivePicture& live = *live_;
+    StrokeSettings settings = session.stroke_settings();
+    settings.seed = ++strokes_;
+    check_stroke_settings(settings);
+    if (settings.unit != RadiusUnit::world) {
+        const PointerEvent at = pointer(event);
+        const Ray ray = session.renderer().camera_ray(at.x_px, at.y_px);
+        const Ray beside = session.renderer().camera_ray(at.x_px + 1, at.y_px);
+        brush.radius = session.world_radius(session.renderer().pick(std::span(&ray, 1)).front(), ray, beside);
+    }
+    session.brush() = brush;
+    try {
+        session.begin_stroke();
+    } catch (...) {
+        session.brush() = chosen;
+        throw;
+    }
+    session.brush() = chosen;
+    live.begin_stroke();
     input_.emplace(
         brush, [&session](std::span<const Ray> rays) { return session.renderer().pick(rays); },
         [&session](double x, double y) { return session.renderer().camera_ray(x, y); },
@@ -32,7 +41,8 @@ void StrokeControl::begin(const InputEvent& event) {
             session.dab(dab);
             ++dabs_;
             live.after_dab();
-        });
+        },
+        settings);
     input_->begin(pointer(event));
 }
 

@@ -30,6 +30,7 @@ class StrokeControl {
     Session* session_;
     LivePicture* live_;
     std::optional<StrokeInput> input_;
+    std::uint32_t strokes_ = 0;  // so far: the seed of the next one's jitter
     std::uint64_t dabs_ = 0;
 };
 

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -34,9 +36,13 @@ struct ImageSize {
     bool operator==(const ImageSize&) const = default;
 };
 
+enum class MaskCommand : std::uint8_t { clear, invert, blur };
+
 struct StrokeOp {
     Brush brush;
     std::vector<Dab> dabs;
+    // Of each copy by symmetry (symmetry_copies() but the first), where it put each dab.
+    std::vector<std::vector<FacePoint>> copies = {};
     bool operator==(const StrokeOp&) const = default;
 };
 struct UndoOp {
@@ -44,6 +50,10 @@ struct UndoOp {
 };
 struct RedoOp {
     bool operator==(const RedoOp&) const = default;
+};
+struct MaskOp {
+    MaskCommand command = MaskCommand::clear;
+    bool operator==(const MaskOp&) const = default;
 };
 struct SetOp {
     std::string key;  // settings.h
@@ -55,8 +65,9 @@ struct BakeOp {
     ImageSize size;
     bool operator==(const BakeOp&) const = default;
 };
-struct ExpectOp {  // the map's hash at this point
+struct ExpectOp {  // the map's hash at this point, and the mask's
     std::uint64_t map = 0;
+    std::optional<std::uint64_t> mask = std::nullopt;
     bool operator==(const ExpectOp&) const = default;
 };
 struct ExpectImageOp {  // a stored PNG, relative to the journal's folder
@@ -80,7 +91,8 @@ struct SaveOp {
     std::optional<std::uint64_t> map;
     bool operator==(const SaveOp&) const = default;
 };
-using JournalOp = std::variant<StrokeOp, UndoOp, RedoOp, SetOp, BakeOp, ExpectOp, ExpectImageOp, RenderOp, SaveOp>;
+using JournalOp =
+    std::variant<StrokeOp, UndoOp, RedoOp, MaskOp, SetOp, BakeOp, ExpectOp, ExpectImageOp, RenderOp, SaveOp>;
 
 struct JournalEntry {
     int line = 0;  // 1-based, for messages
@@ -105,6 +117,8 @@ Journal read_journal(const std::filesystem::path& path);
 // word that is not UTF-8.
 std::string format_header(const JournalHeader& header);
 std::string format_op(const JournalOp& op);
+
+std::span<const std::string_view> mask_commands();  // names, in the order of MaskCommand
 
 std::string hash_text(std::uint64_t hash);  // 16 lower-case hexadecimal digits
 

@@ -1,5 +1,6 @@
 // Writes journal lines. By hand rather than through a JSON tree: floats must come out in their shortest form
 // that reads back to the same bits, which a tree of doubles cannot know.
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -63,6 +64,10 @@ std::string brush_object(const Brush& brush) {
         if (i >= kAlwaysWritten && brush.*parameter.value == standard.*parameter.value) continue;
         text.append(",\"").append(parameter.name).append("\":").append(number(brush.*parameter.value));
     }
+    if (brush.radial_axis != standard.radial_axis)
+        text.append(",\"radial_axis\":\"")
+            .append(axis_names()[static_cast<std::size_t>(brush.radial_axis)])
+            .append("\"");
     return text + "}";
 }
 
@@ -74,6 +79,23 @@ std::string dab_array(const Dab& dab) {
     if (dragged || dab.size != Dab::kSizeOne) text.append(",").append(shortest(dab.size));
     if (dragged)
         for (const std::int32_t part : dab.drag) text.append(",").append(shortest(part));
+    return text.append("]");
+}
+
+std::string copies_array(const std::vector<std::vector<FacePoint>>& copies) {
+    std::string text(1, '[');
+    for (const std::vector<FacePoint>& copy : copies) {
+        text.append(text.size() > 1 ? ",[" : "[");
+        for (std::size_t i = 0; i < copy.size(); ++i)
+            text.append(i > 0 ? ",[" : "[")
+                .append(shortest(copy[i].face))
+                .append(",")
+                .append(shortest(copy[i].b1))
+                .append(",")
+                .append(shortest(copy[i].b2))
+                .append("]");
+        text.append("]");
+    }
     return text.append("]");
 }
 
@@ -91,10 +113,17 @@ struct Formatter {
             if (i > 0) text += ",";
             text += dab_array(op.dabs[i]);
         }
-        return text + "]}";
+        text += "]";
+        if (!op.copies.empty()) text += ",\"copies\":" + copies_array(op.copies);
+        return text + "}";
     }
     std::string operator()(const UndoOp&) const { return R"({"op":"undo"})"; }
     std::string operator()(const RedoOp&) const { return R"({"op":"redo"})"; }
+    std::string operator()(const MaskOp& op) const {
+        return std::string(R"({"op":"mask","do":")")
+            .append(mask_commands()[static_cast<std::size_t>(op.command)])
+            .append("\"}");
+    }
     std::string operator()(const SetOp& op) const {
         std::string text = R"({"op":"set","key":)" + quoted(op.key) + ",\"value\":";
         if (const auto* value = std::get_if<double>(&op.value)) {
@@ -114,7 +143,9 @@ struct Formatter {
         return R"({"op":"bake","size":[)" + shortest(op.size.width) + "," + shortest(op.size.height) + "]}";
     }
     std::string operator()(const ExpectOp& op) const {
-        return R"({"op":"expect","map":")" + hash_text(op.map) + "\"}";
+        std::string text = R"({"op":"expect","map":")" + hash_text(op.map) + "\"";
+        if (op.mask) text += ",\"mask\":\"" + hash_text(*op.mask) + "\"";
+        return text + "}";
     }
     std::string operator()(const ExpectImageOp& op) const {
         return R"({"op":"expect_image","image":)" + quoted(op.image) +
@@ -131,6 +162,11 @@ struct Formatter {
 };
 
 }  // namespace
+
+std::span<const std::string_view> mask_commands() {
+    static constexpr std::array<std::string_view, 3> kNames{"clear", "invert", "blur"};
+    return kNames;
+}
 
 std::string hash_text(std::uint64_t hash) {
     char text[16];

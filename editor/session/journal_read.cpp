@@ -75,6 +75,14 @@ class Fields {
         return value.get<std::string>();
     }
 
+    // The place of a word among `words`.
+    std::size_t choice(const std::string& key, std::span<const std::string_view> words) const {
+        const std::string given = word(key);
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (words[i] == given) return i;
+        fail(key, "is \"" + given + "\", must be one of " + joined(words));
+    }
+
     std::uint64_t hash(const std::string& key) const {
         const std::string text = word(key);
         std::uint64_t value = 0;
@@ -121,32 +129,20 @@ constexpr int kMaxSpp = 1 << 20;  // samples a pixel
 constexpr double kMaxReal = 1e30;
 
 Brush read_brush(const json& value, const std::string& where) {
-    std::vector<std::string_view> keys{"tool", "falloff"};
+    std::vector<std::string_view> keys{"tool", "falloff", "radial_axis"};
     for (const BrushFlag& flag : brush_flags()) keys.push_back(flag.name);
     for (const BrushParameter& parameter : brush_parameters()) keys.push_back(parameter.name);
     const Fields fields(value, where + ": brush", keys);
     Brush brush;
     if (fields.has("tool")) {
-        const std::string name = fields.word("tool");
-        std::string known;
-        bool found = false;
-        for (const ToolInfo& tool : tools()) {
-            known.append(known.empty() ? "" : ", ").append(tool.name);
-            if (tool.name == name) brush.tool = tool.tool, found = true;
-        }
-        if (!found) fields.fail("tool", "is \"" + name + "\", must be one of " + known);
+        std::vector<std::string_view> names;
+        for (const ToolInfo& tool : tools()) names.push_back(tool.name);
+        brush.tool = tools()[fields.choice("tool", names)].tool;
     }
-    if (fields.has("falloff")) {
-        const std::string name = fields.word("falloff");
-        const auto names = falloff_names();
-        std::string known;
-        bool found = false;
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            known.append(known.empty() ? "" : ", ").append(names[i]);
-            if (names[i] == name) brush.falloff = static_cast<Falloff>(i), found = true;
-        }
-        if (!found) fields.fail("falloff", "is \"" + name + "\", must be one of " + known);
-    }
+    if (fields.has("falloff"))
+        brush.falloff = static_cast<Falloff>(fields.choice("falloff", falloff_names()));
+    if (fields.has("radial_axis"))
+        brush.radial_axis = static_cast<Axis>(fields.choice("radial_axis", axis_names()));
     for (const BrushFlag& flag : brush_flags()) {
         const std::string key(flag.name);
         if (fields.has(key.c_str())) brush.*flag.value = fields.boolean(key);
@@ -185,14 +181,41 @@ Dab read_dab(const json& value, const Fields& fields, const std::string& key) {
     return dab;
 }
 
+FacePoint read_point(const json& value, const Fields& fields, const std::string& key) {
+    if (!value.is_array() || value.size() != 3) fields.fail(key, "must be [face, b1, b2]");
+    const auto part = [&](std::size_t i, std::uint32_t high) {
+        return static_cast<std::uint32_t>(
+            fields.integer(value[i], key + "[" + std::to_string(i) + "]", 0, std::int64_t{high}));
+    };
+    const FacePoint point{part(0, UINT32_MAX), part(1, Dab::kBarycentricOne), part(2, Dab::kBarycentricOne)};
+    if (point.b1 + point.b2 > Dab::kBarycentricOne)
+        fields.fail(key, "b1 + b2 must be at most " + std::to_string(Dab::kBarycentricOne));
+    return point;
+}
+
+std::vector<std::vector<FacePoint>> read_copies(const json& value, const Fields& fields, std::size_t dabs) {
+    if (!value.is_array()) fields.fail("copies", "is " + Fields::kind(value) + ", must be an array");
+    std::vector<std::vector<FacePoint>> copies;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const std::string key = "copies[" + std::to_string(i) + "]";
+        if (!value[i].is_array() || value[i].size() != dabs)
+            fields.fail(key, "must be an array of one place a dab: " + std::to_string(dabs));
+        copies.emplace_back();
+        for (std::size_t k = 0; k < dabs; ++k)
+            copies.back().push_back(read_point(value[i][k], fields, key + "[" + std::to_string(k) + "]"));
+    }
+    return copies;
+}
+
 StrokeOp read_stroke(const json& value, const std::string& where) {
-    const Fields fields(value, where, {"op", "brush", "dabs"});
-    StrokeOp op{read_brush(fields.at("brush"), where), {}};
+    const Fields fields(value, where, {"op", "brush", "dabs", "copies"});
+    StrokeOp op{read_brush(fields.at("brush"), where), {}, {}};
     const json& dabs = fields.at("dabs");
     if (!dabs.is_array()) fields.fail("dabs", "is " + Fields::kind(dabs) + ", must be an array");
     op.dabs.reserve(dabs.size());
     for (std::size_t i = 0; i < dabs.size(); ++i)
         op.dabs.push_back(read_dab(dabs[i], fields, "dabs[" + std::to_string(i) + "]"));
+    if (fields.has("copies")) op.copies = read_copies(fields.at("copies"), fields, op.dabs.size());
     return op;
 }
 
@@ -225,13 +248,22 @@ JournalOp read_op(const json& value, const std::string& where) {
     if (name == "stroke") return read_stroke(value, where);
     if (name == "undo") return Fields(value, where, {"op"}), UndoOp{};
     if (name == "redo") return Fields(value, where, {"op"}), RedoOp{};
+    if (name == "mask") {
+        const Fields fields(value, where, {"op", "do"});
+        return MaskOp{static_cast<MaskCommand>(fields.choice("do", mask_commands()))};
+    }
     if (name == "set") return read_set(value, where);
     if (name == "bake") {
         const Fields fields(value, where, {"op", "size"});
         fields.at("size");
         return BakeOp{*fields.size("size", HeightMap::kMaxSize)};
     }
-    if (name == "expect") return ExpectOp{Fields(value, where, {"op", "map"}).hash("map")};
+    if (name == "expect") {
+        const Fields fields(value, where, {"op", "map", "mask"});
+        ExpectOp op{fields.hash("map")};
+        if (fields.has("mask")) op.mask = fields.hash("mask");
+        return op;
+    }
     if (name == "expect_image") {
         const Fields fields(value, where, {"op", "image", "tolerance", "spp", "size"});
         return ExpectImageOp{fields.word("image"), fields.number("tolerance", 0, 1), read_spp(fields),
@@ -249,7 +281,7 @@ JournalOp read_op(const json& value, const std::string& where) {
     }
     throw std::invalid_argument(
         where + ": op: is \"" + name +
-        "\", must be one of stroke, undo, redo, set, bake, expect, expect_image, render, save");
+        "\", must be one of stroke, undo, redo, mask, set, bake, expect, expect_image, render, save");
 }
 
 JournalHeader read_header(const json& value, const std::string& where) {

@@ -76,10 +76,21 @@ class Replayer {
                 fail("dabs[" + std::to_string(i) + "][1]: is " + std::to_string(op.dabs[i].face) +
                      ", the mesh has " + std::to_string(faces) + " faces, counted from 0");
         if (session_.procedural(0)) fail("stroke: the heights are procedural; a bake comes first");
+        for (std::size_t i = 0; i < op.copies.size(); ++i)
+            for (const FacePoint& point : op.copies[i])
+                if (point.face >= faces)
+                    fail("copies[" + std::to_string(i) + "]: names face " + std::to_string(point.face) +
+                         ", the mesh has " + std::to_string(faces) + " faces, counted from 0");
         session_.brush() = op.brush;
-        session_.begin_stroke();
-        for (const Dab& dab : op.dabs) {
-            session_.dab(dab);
+        try {
+            session_.begin_stroke();
+        } catch (const std::invalid_argument& error) {
+            fail(error.what());
+        }
+        std::vector<FacePoint> copies(op.copies.size());
+        for (std::size_t k = 0; k < op.dabs.size(); ++k) {
+            for (std::size_t i = 0; i < copies.size(); ++i) copies[i] = op.copies[i][k];
+            session_.dab(op.dabs[k], copies);
             if (options_.live && report_.dab_times.size() % dabs_per_trace_ == 0) trace_around_dab();
             report_.dab_times.push_back(session_.times());
         }
@@ -94,6 +105,8 @@ class Replayer {
     void operator()(const RedoOp&) {
         if (!session_.redo()) fail("redo: there is nothing to redo");
     }
+
+    void operator()(const MaskOp& op) { session_.change_mask(op.command); }
 
     void operator()(const SetOp& op) {
         try {
@@ -117,6 +130,13 @@ class Replayer {
         if (got != op.map)
             report_.failures.push_back(where() + "expect: the map should be " + hash_text(op.map) +
                                        ", it is " + hash_text(got));
+        if (!op.mask) return;
+        const HeightMap& map = session_.map();
+        const std::uint64_t mask =
+            session_.mask() ? session_.mask()->hash() : HeightMap(map.width(), map.height(), 0).hash();
+        if (mask != *op.mask)
+            report_.failures.push_back(where() + "expect: the mask should be " + hash_text(*op.mask) +
+                                       ", it is " + hash_text(mask));
     }
 
     void operator()(const ExpectImageOp& op) {

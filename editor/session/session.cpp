@@ -1,11 +1,14 @@
 // One editing session: scene, map, brushes and renderer, behind the commands that journals store.
 #include "editor/session/session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 
 #include "brushes/sculptor.h"
+#include "brushes/symmetry.h"
 #include "editor/session/bake.h"
 #include "editor/session/mesh_hash.h"
 #include "editor/session/recorder.h"
@@ -14,6 +17,7 @@
 #include "editor/session/settings.h"
 #include "editor/session/steps.h"
 #include "editor/session/surface/mesh_surface.h"
+#include "editor/session/surface/symmetric_dabs.h"
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -48,8 +52,7 @@ struct Session::State {
         if (source && !options.map.empty())
             throw std::invalid_argument(options.map.string() +
                                         ": the scene's heights are procedural; there is no map to put this in place of");
-        surface.emplace(scene.objects.front().mesh, displacement(), file.map);
-        sculptor.emplace(file.map, *surface, options.undo_budget);
+        make_surface();
         brush.radius = scene.objects.front().mesh.sphere_radius * 0.1f;
         if (!displacement().map.empty()) map_path = displacement().map;
         const bool recording = !options.journal.empty() || options.recovery;
@@ -95,14 +98,23 @@ struct Session::State {
         object.displacement = wanted;
         source = std::move(made);
         if (fresh) {
+            symmetric.reset();
             sculptor.reset();
             surface.reset();
             file = std::move(*fresh);
-            surface.emplace(object.mesh, displacement(), file.map);
-            sculptor.emplace(file.map, *surface, options.undo_budget);
+            make_surface();
         }
         ++revision;
         if (view) view->set_heights(displacement(), file.map);
+    }
+
+    // What brushes work on, over file.map.
+    void make_surface() {
+        surface.emplace(scene.objects.front().mesh, displacement(), file.map);
+        glm::dmat4 rebased(1.0);
+        rebased[3] = glm::dvec4(-scene.origin, 1.0);
+        surface->set_world_from_object(rebased * scene.objects.front().transform);
+        sculptor.emplace(file.map, *surface, options.undo_budget);
     }
 
     void require_no_stroke() const {
@@ -120,6 +132,14 @@ struct Session::State {
         if (!rects.empty()) ++revision;
         book();
         if (view) view->upload(file.map, rects, times);
+    }
+
+    // The finder of the copies of a stroke under way.
+    const SymmetricDabs& symmetry() {
+        if (!symmetric)
+            symmetric.emplace(scene.objects.front().mesh, *surface,
+                              symmetry_copies(stroke.brush, surface->world_from_object()));
+        return *symmetric;
     }
 
     void restart_image() {
@@ -142,7 +162,10 @@ struct Session::State {
     std::optional<fs::path> map_path;
     Steps steps;
     Brush brush;
-    StrokeOp stroke;  // under way
+    StrokeSettings stroke_settings;
+    StrokeOp stroke;                         // under way
+    std::size_t copies = 0;                  // of each of its dabs
+    std::optional<SymmetricDabs> symmetric;  // made at a stroke's first dab that needs it
     std::optional<Touched> touched;
     StageTimes times;
 };
@@ -174,6 +197,12 @@ const HeightMap& Session::map_of(std::size_t object) const {
 }
 std::uint64_t Session::map_revision() const {
     return state_->revision;
+}
+const HeightMap* Session::mask() const {
+    return state_->sculptor->mask();
+}
+std::uint64_t Session::mask_revision() const {
+    return state_->sculptor->mask_revision();
 }
 bool Session::has_renderer() const {
     return state_->view != nullptr;
@@ -208,6 +237,31 @@ Brush& Session::brush() {
     return state_->brush;
 }
 
+StrokeSettings& Session::stroke_settings() {
+    return state_->stroke_settings;
+}
+
+float Session::world_radius(const PickHit& hit, const Ray& ray, const Ray& next_ray) const {
+    const State& s = *state_;
+    const StrokeSettings& settings = s.stroke_settings;
+    const Mesh& mesh = s.scene.objects.front().mesh;
+    double radius = static_cast<double>(s.brush.radius);
+    if (settings.unit == RadiusUnit::screen) {
+        const double distance = hit.hit ? static_cast<double>(hit.distance)
+                                        : static_cast<double>(glm::length(mesh.sphere_centre - ray.origin));
+        radius = static_cast<double>(settings.radius_px) * distance *
+                 static_cast<double>(
+                     glm::length(glm::normalize(next_ray.direction) - glm::normalize(ray.direction)));
+    } else if (settings.unit == RadiusUnit::texel) {
+        double size = hit.hit && hit.object == 0 ? s.surface->texel_size(hit.face) : 0;
+        for (std::uint32_t face = 0; face < s.surface->face_count() && !(size > 0); ++face)
+            size = s.surface->texel_size(face);
+        radius = static_cast<double>(settings.radius_texels) * size;
+    }
+    const BrushParameter& limits = brush_parameters().front();
+    return std::clamp(static_cast<float>(radius), limits.low, limits.high);
+}
+
 void Session::begin_stroke() {
     State& s = *state_;
     s.require_no_stroke();
@@ -215,13 +269,26 @@ void Session::begin_stroke() {
         throw std::invalid_argument("the heights are procedural: bake them into a map first, then sculpt that");
     check_brush(s.brush);
     s.sculptor->begin(s.brush);
-    s.stroke = {s.brush, {}};
+    s.copies = symmetry_copies(s.brush, s.surface->world_from_object()).size() - 1;
+    s.symmetric.reset();
+    s.stroke = {s.brush, {}, std::vector<std::vector<FacePoint>>(s.copies)};
     s.touched.reset();
 }
 
 void Session::dab(const Dab& dab) {
     State& s = *state_;
-    s.apply([&] { return s.sculptor->dab(dab); }, [&] { s.stroke.dabs.push_back(dab); });
+    const bool looks = s.sculptor->in_stroke() && s.copies > 0 && dab.face < s.surface->face_count() &&
+                       dab.b1 <= Dab::kBarycentricOne && dab.b2 <= Dab::kBarycentricOne - dab.b1;
+    this->dab(dab, looks ? s.symmetry().copies_of(dab) : std::vector<FacePoint>());
+}
+
+void Session::dab(const Dab& dab, std::span<const FacePoint> copies) {
+    State& s = *state_;
+    s.apply([&] { return s.sculptor->dab(dab, copies); },
+            [&] {
+                s.stroke.dabs.push_back(dab);
+                for (std::size_t i = 0; i < copies.size(); ++i) s.stroke.copies[i].push_back(copies[i]);
+            });
     constexpr auto kOne = static_cast<float>(Dab::kBarycentricOne);
     s.touched = Touched{
         s.surface->at(dab.face, static_cast<float>(dab.b1) / kOne, static_cast<float>(dab.b2) / kOne).position,
@@ -234,7 +301,7 @@ void Session::end_stroke() {
     const std::uint64_t steps_before = s.sculptor->steps_made();
     s.apply([&] { return s.sculptor->end(); },
             [&] {
-                if (s.sculptor->steps_made() > steps_before) s.steps.add();
+                if (s.sculptor->steps_made() > steps_before) s.steps.add(s.stroke.brush.tool != Tool::mask);
                 s.recorder->record(s.stroke);
             });
     s.restart_image();
@@ -274,6 +341,25 @@ bool Session::redo() {
             });
     s.restart_image();
     return true;
+}
+
+void Session::change_mask(MaskCommand command) {
+    State& s = *state_;
+    s.require_no_stroke();
+    const std::uint64_t steps_before = s.sculptor->steps_made();
+    switch (command) {
+        case MaskCommand::clear:
+            s.sculptor->clear_mask();
+            break;
+        case MaskCommand::invert:
+            s.sculptor->invert_mask();
+            break;
+        case MaskCommand::blur:
+            s.sculptor->blur_mask();
+            break;
+    }
+    if (s.sculptor->steps_made() > steps_before) s.steps.add(false);
+    s.recorder->record(MaskOp{command});
 }
 
 void Session::set(const std::string& key, const SetValue& value) {

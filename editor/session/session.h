@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "brushes/map_file.h"
 #include "brushes/surface.h"
 #include "editor/session/journal.h"
+#include "editor/session/stroke_settings.h"
 #include "renderer/procedural/procedural_source.h"
 #include "renderer/renderer.h"
 #include "renderer/scene/scene.h"
@@ -56,6 +58,10 @@ class Session {
     std::shared_ptr<const ProceduralSource> procedural(std::size_t object) const;  // empty: the heights are a map
     const HeightMap& map_of(std::size_t object) const;  // every object's; std::out_of_range beyond them
     std::uint64_t map_revision() const;                 // changes whenever map() does
+    // What tools leave as it is, of the edited object's map: 65535 protects, 0 is free. Null: nothing was
+    // ever masked.
+    const HeightMap* mask() const;
+    std::uint64_t mask_revision() const;  // changes whenever mask() does
     const Surface& surface() const;
     bool has_renderer() const;
     Renderer& renderer();  // throws std::logic_error without one
@@ -73,18 +79,29 @@ class Session {
 
     // The brush that the next stroke takes. Its first radius is a tenth of the edited mesh's.
     Brush& brush();
+    // How the next stroke's gestures become dabs.
+    StrokeSettings& stroke_settings();
+    // brush().radius, or where stroke_settings() counts it in pixels or texels, that many where the pointer
+    // meets the surface, in world units. `ray` and `next_ray` go through the pointer and one pixel beside it.
+    // On a miss, pixels are taken at the middle of the mesh, and texels of its first face that has any.
+    float world_radius(const PickHit& hit, const Ray& ray, const Ray& next_ray) const;
 
     // Commands. Each is journaled when it is complete; a stroke is written and flushed at its end, with its
     // dabs; one without dabs leaves no trace. All but dab, end_stroke and cancel_stroke throw
     // std::logic_error in a stroke.
-    void begin_stroke();       // with brush(); std::invalid_argument when a setting is out of its range, or
-                               // the heights are procedural
-    void dab(const Dab& dab);  // std::out_of_range when the mesh has no such face
+    void begin_stroke();  // with brush(); std::invalid_argument when a setting is out of its range, or the
+                          // heights are procedural
+    // Copies that the brush's symmetry makes are found here, and journaled with it. std::out_of_range when
+    // the mesh has no such face.
+    void dab(const Dab& dab);
+    // The same with the places of the copies given, as a journal has them: one for each copy.
+    void dab(const Dab& dab, std::span<const FacePoint> copies);
     void end_stroke();
     void cancel_stroke();
     bool in_stroke() const;
     bool undo();  // false: nothing to undo
     bool redo();
+    void change_mask(MaskCommand command);                    // one undo step
     void set(const std::string& key, const SetValue& value);  // keys: settings.h; std::invalid_argument
     void set_camera(const Camera& camera);
     // Procedural heights become a map of that many texels, to be sculpted; there is no way back but to open the scene

@@ -9,8 +9,9 @@ namespace relievo {
 
 class Steps {
   public:
-    void add() {
-        done_.push_back(++newest_);
+    // `changes_map`: false for a step of the mask, which no save holds.
+    void add(bool changes_map = true) {
+        done_.push_back(changes_map ? ++newest_ : current());
         undone_.clear();
     }
     void undo() { move_last(done_, undone_); }

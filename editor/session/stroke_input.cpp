@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "brushes/noise.h"
+
 namespace relievo {
 namespace {
 
@@ -45,28 +47,134 @@ Dab quantised_dab(const PickHit& hit, std::uint64_t time_us, double pressure) {
     return dab;
 }
 
-StrokeInput::StrokeInput(const Brush& brush, Pick pick, CameraRay camera_ray, Apply apply)
+StrokeInput::StrokeInput(const Brush& brush, Pick pick, CameraRay camera_ray, Apply apply,
+                         const StrokeSettings& settings)
     : radius_(static_cast<double>(brush.radius)),
       spacing_(radius_ * static_cast<double>(brush.spacing)),
       pick_(std::move(pick)),
       camera_ray_(std::move(camera_ray)),
-      apply_(std::move(apply)) {}
+      apply_(std::move(apply)),
+      settings_(settings),
+      grabs_(brush.tool == Tool::grab) {
+    check_stroke_settings(settings);
+}
 
 void StrokeInput::begin(const PointerEvent& event) {
     start_us_ = event.time_us;
     since_dab_ = 0;
+    dabs_ = 0;
+    timed_dabs_ = 1;
+    brush_at_ = event;
+    drag_ = sent_drag_ = glm::dvec3(0);
     last_ = pick_along({event}).front();
-    if (last_->hit.hit) apply_(quantised_dab(last_->hit, 0, event.pressure));
+    held_.reset();
+    if (!last_->hit.hit) return;
+    if (grabs_) held_ = last_;
+    emit(*last_);
 }
 
 void StrokeInput::move(const PointerEvent& event) {
     // Waiting for a whole step spares a pick for every count of a fast mouse. It depends on the events alone.
-    if (last_ && distance_px(last_->at, event) >= kStepPx) stretch_to(event);
+    if (grabs_) return draw_held(event, false);
+    rest(event.time_us);
+    const PointerEvent at = pulled(event);
+    if (last_ && distance_px(last_->at, at) >= kStepPx) stretch_to(at);
+}
+
+void StrokeInput::rest(std::uint64_t time_us) {
+    if (!last_ || grabs_ || !(settings_.rate > 0)) return;
+    const double period_us = 1e6 / static_cast<double>(settings_.rate);
+    for (;; ++timed_dabs_) {
+        const auto due = static_cast<std::uint64_t>(static_cast<double>(timed_dabs_) * period_us);
+        if (start_us_ + due > time_us) return;
+        // Afresh, for the dabs before may have moved the surface.
+        PointerEvent at = last_->at;
+        at.time_us = start_us_ + due;
+        const Sample sample = pick_along({at}).front();
+        if (sample.hit.hit) emit(sample);
+    }
+}
+
+// Where the brush comes to when the pointer goes to `event`: no nearer than the string is long.
+PointerEvent StrokeInput::pulled(const PointerEvent& event) {
+    const double string = static_cast<double>(settings_.lazy_px), way = distance_px(brush_at_, event);
+    const PointerEvent from = brush_at_;
+    brush_at_ = event;
+    if (string > 0) {
+        const double part = way > string ? (way - string) / way : 0.0;
+        brush_at_.x_px = from.x_px + part * (event.x_px - from.x_px);
+        brush_at_.y_px = from.y_px + part * (event.y_px - from.y_px);
+    }
+    return brush_at_;
+}
+
+double StrokeInput::size(double pressure) const {
+    constexpr double kLeast = 0.02;
+    const double much = static_cast<double>(settings_.size_by_pressure);
+    return std::max(kLeast, 1.0 - much * (1.0 - std::clamp(pressure, 0.0, 1.0)));
+}
+
+// The sample's place, moved within a disc about it in the picture; unmoved where that is off the surface.
+PickHit StrokeInput::strayed(const Sample& sample, std::uint32_t index) const {
+    const Ray beside = camera_ray_(sample.at.x_px + 1, sample.at.y_px);
+    const double pixel = static_cast<double>(sample.hit.distance) *
+                         static_cast<double>(glm::length(glm::normalize(beside.direction) -
+                                                         glm::normalize(sample.ray.direction)));
+    if (!(pixel > 0)) return sample.hit;
+    const double reach = static_cast<double>(settings_.jitter) * radius_ / pixel;
+    const double way = reach * std::sqrt(random_number(settings_.seed, index, 0));
+    const double angle = 2 * 3.14159265358979323846 * random_number(settings_.seed, index, 1);
+    PointerEvent at = sample.at;
+    at.x_px += way * std::cos(angle);
+    at.y_px += way * std::sin(angle);
+    const PickHit hit = pick_along({at}).front().hit;
+    return hit.hit ? hit : sample.hit;
+}
+
+void StrokeInput::emit(const Sample& sample) {
+    const std::uint32_t index = dabs_++;
+    const double much = static_cast<double>(settings_.strength_by_pressure);
+    const double strength = 1.0 - much * (1.0 - sample.at.pressure);
+    const PickHit hit = settings_.jitter > 0 && !grabs_ ? strayed(sample, index) : sample.hit;
+    Dab dab = quantised_dab(hit, sample.at.time_us - start_us_, much == 1.0 ? sample.at.pressure : strength);
+    dab.size = std::max(1u, quantise(size(sample.at.pressure), Dab::kSizeOne));
+    for (int k = 0; k < 3; ++k) {
+        const double units = drag_[k] / radius_ * Dab::kDragOne;
+        constexpr double kMost = Dab::kLargestDrag;
+        dab.drag[static_cast<std::size_t>(k)] =
+            std::isfinite(units) ? static_cast<std::int32_t>(std::llround(std::clamp(units, -kMost, kMost)))
+                                 : 0;
+    }
+    apply_(dab);
+}
+
+void StrokeInput::draw_held(const PointerEvent& event, bool last) {
+    if (!held_) return;
+    // The plane through the held point across the ray that took hold.
+    const glm::dvec3 across = glm::normalize(glm::dvec3(held_->ray.direction));
+    const Ray ray = camera_ray_(event.x_px, event.y_px);
+    const glm::dvec3 from(ray.origin), along(ray.direction), point(held_->hit.position);
+    const double slope = glm::dot(along, across);
+    if (!(slope > 1e-6 * glm::length(along))) return;  // beside or behind the eye
+    drag_ = from + along * (glm::dot(point - from, across) / slope) - point;
+    if (glm::length(drag_ - sent_drag_) < (last ? 1e-9 * radius_ : spacing_)) return;
+    sent_drag_ = drag_;
+    Sample sample = *held_;
+    sample.at = event;
+    sample.at.time_us = std::max(event.time_us, start_us_);
+    emit(sample);
 }
 
 void StrokeInput::end(const PointerEvent& event) {
-    if (last_ && distance_px(last_->at, event) > 0) stretch_to(event);
+    if (grabs_) {
+        draw_held(event, true);
+    } else {
+        rest(event.time_us);
+        const PointerEvent at = pulled(event);
+        if (last_ && distance_px(last_->at, at) > 0) stretch_to(at);
+    }
     last_.reset();
+    held_.reset();
 }
 
 std::vector<StrokeInput::Sample> StrokeInput::pick_along(const std::vector<PointerEvent>& points) const {
@@ -89,6 +197,10 @@ void StrokeInput::stretch_to(const PointerEvent& to) {
     std::vector<PointerEvent> points;
     for (int i = 1; i <= steps; ++i) points.push_back(between(from, event, static_cast<double>(i) / steps));
     std::vector<PointerEvent> dabs;
+    if (settings_.rate > 0) {
+        last_ = pick_along({event}).front();
+        return;
+    }
     for (const Sample& next : pick_along(points)) walk(next, dabs);
     if (!dabs.empty()) place(dabs);
 }
@@ -107,8 +219,8 @@ void StrokeInput::walk(const Sample& next, std::vector<PointerEvent>& dabs) {
         return;
     }
     if (length == 0) return;
-    const double spacing = std::max(spacing_, length / kDabsPerStep);
-    double walked = spacing - since_dab_;  // along this step, to the next dab
+    const double spacing = std::max(spacing_ * size(next.at.pressure), length / kDabsPerStep);
+    double walked = std::max(0.0, spacing - since_dab_);  // along this step, to the next dab
     for (; walked <= length; walked += spacing) {
         dabs.push_back(between(last.at, next.at, std::max(0.0, walked) / length));
     }
@@ -117,8 +229,7 @@ void StrokeInput::walk(const Sample& next, std::vector<PointerEvent>& dabs) {
 
 void StrokeInput::place(const std::vector<PointerEvent>& points) {
     for (const Sample& sample : pick_along(points))
-        if (sample.hit.hit)
-            apply_(quantised_dab(sample.hit, sample.at.time_us - start_us_, sample.at.pressure));
+        if (sample.hit.hit) emit(sample);
 }
 
 }  // namespace relievo

@@ -2,16 +2,21 @@
 //
 // Events are handled one by one in the order in which they came, each against the map as the dabs before it
 // left it. The window's loop may hand them over in any batches: the dabs are the same at 5 and at 60 frames a
-// second.
+// second. An airbrush counts its dabs by the clock of the events, at the place of the last event before each.
+//
+// The grab tool does not walk: its dabs stay where the hand took hold, and carry how far the pointer has
+// drawn it in the plane across the view.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "brushes/brush.h"
+#include "editor/session/stroke_settings.h"
 #include "renderer/renderer.h"
 
 namespace relievo {
@@ -29,10 +34,15 @@ class StrokeInput {
     using Apply = std::function<void(const Dab&)>;  // changes the surface before it returns
 
     // The brush's radius and spacing are those of the whole stroke. Only hits on object 0 are sculpted.
-    StrokeInput(const Brush& brush, Pick pick, CameraRay camera_ray, Apply apply);
+    // std::invalid_argument when one of the `settings` is out of its range; their radius is not read, the
+    // brush's is (Session::world_radius).
+    StrokeInput(const Brush& brush, Pick pick, CameraRay camera_ray, Apply apply,
+                const StrokeSettings& settings = {});
 
     void begin(const PointerEvent& event);  // the first dab, when it hits
     void move(const PointerEvent& event);
+    // The pointer rested until then: an airbrush's dabs that are due by now. Not later than the next event.
+    void rest(std::uint64_t time_us);
     void end(const PointerEvent& event);  // the last stretch
 
   private:
@@ -46,14 +56,26 @@ class StrokeInput {
     void stretch_to(const PointerEvent& to);
     void walk(const Sample& next, std::vector<PointerEvent>& dabs);
     void place(const std::vector<PointerEvent>& points);
+    PointerEvent pulled(const PointerEvent& event);
+    void emit(const Sample& sample);
+    PickHit strayed(const Sample& sample, std::uint32_t index) const;
+    double size(double pressure) const;
+    void draw_held(const PointerEvent& event, bool last);
 
     double radius_, spacing_;  // world units
     Pick pick_;
     CameraRay camera_ray_;
     Apply apply_;
+    StrokeSettings settings_;
+    bool grabs_;
     std::uint64_t start_us_ = 0;
-    std::optional<Sample> last_;  // the newest point of the path; its hit may be a miss
-    double since_dab_ = 0;        // arc length, world units
+    std::uint64_t timed_dabs_ = 0;       // of the airbrush so far
+    std::uint32_t dabs_ = 0;             // so far
+    PointerEvent brush_at_;              // where the string has pulled the brush
+    std::optional<Sample> held_;         // where grab took hold
+    glm::dvec3 drag_{0}, sent_drag_{0};  // of grab, world units: now, and at its last dab
+    std::optional<Sample> last_;         // the newest point of the path; its hit may be a miss
+    double since_dab_ = 0;               // arc length, world units
 };
 
 // Rounds to the journal's units. Barycentrics outside the triangle (by rounding) are brought in.

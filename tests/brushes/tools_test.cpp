@@ -103,7 +103,7 @@ TEST(EveryTool, amplitude_zero_or_subnormal_or_not_finite_does_nothing) {
             const std::uint64_t before = plane.map.hash();
             stroke(plane.sculptor, plane.surface, brush_of(info.tool, 0.3f), {0.3, 0.3}, {0.7, 0.7});
             EXPECT_EQ(plane.map.hash(), before) << info.name << " at amplitude " << amplitude;
-            EXPECT_FALSE(plane.sculptor.can_undo());
+            EXPECT_TRUE(!plane.sculptor.can_undo() || info.tool == Tool::mask);
         }
 }
 

@@ -58,8 +58,8 @@ bool before(const SurfaceTexel& a, const SurfaceTexel& b) {
 
 class BallQuery {
   public:
-    BallQuery(const MeshSurface& surface, glm::vec3 centre, float radius)
-        : s_(surface), centre_(centre), radius_(radius) {
+    BallQuery(const MeshSurface& surface, glm::vec3 centre, float radius, bool precise)
+        : s_(surface), centre_(centre), radius_(radius), precise_(precise) {
         const double a = static_cast<double>(s_.amplitude_), middle = a * static_cast<double>(s_.midlevel_);
         lowest_ = std::min(-middle, a - middle);
         highest_ = std::max(-middle, a - middle);
@@ -178,6 +178,7 @@ class BallQuery {
 
     // In blocks: the points of a block first, in loops that a compiler turns into vector instructions.
     void evaluate(const Run& run, std::vector<SurfaceTexel>& out) const {
+        if (precise_) return evaluate_precisely(run, out);
         const NearFace& near = faces_[run.slot];
         const auto x = static_cast<double>(run.column - near.x0), y = static_cast<double>(run.row - near.y0);
         const glm::vec3 p0(near.position.at(x, y)), dp(near.position.dx), n0(near.normal.at(x, y)),
@@ -197,6 +198,23 @@ class BallQuery {
                                {block.px[i], block.py[i], block.pz[i]},
                                {block.nx[i], block.ny[i], block.nz[i]}});
             }
+        }
+    }
+
+    void evaluate_precisely(const Run& run, std::vector<SurfaceTexel>& out) const {
+        const NearFace& near = faces_[run.slot];
+        const double y = static_cast<double>(run.row - near.y0);
+        const double scale = static_cast<double>(s_.amplitude_) / 65535.0,
+                     middle = static_cast<double>(s_.amplitude_) * static_cast<double>(s_.midlevel_);
+        for (std::int32_t k = 0; k < run.count; ++k) {
+            const double x = static_cast<double>(run.column + k - near.x0);
+            const glm::dvec3 sum = near.normal.at(x, y);
+            const double length = glm::length(sum);
+            const glm::dvec3 n = length > 1e-6 ? sum / length : glm::dvec3(s_.fallback_normal(near.face));
+            const double height = scale * static_cast<double>(s_.map_.at(run.x + k, run.y)) - middle;
+            const glm::vec3 position(near.position.at(x, y) + height * n);
+            const float distance = glm::length(position - centre_);
+            if (distance < radius_) out.push_back({run.x + k, run.y, distance, position, glm::vec3(n)});
         }
     }
 
@@ -252,16 +270,29 @@ class BallQuery {
     const MeshSurface& s_;
     glm::vec3 centre_;
     float radius_;
+    bool precise_;
     double lowest_, highest_, reach_;  // of the displacement, world units
     std::vector<NearFace> faces_;
     std::vector<Run> runs_;
 };
 
+namespace {
+
+bool is_ball(glm::vec3 centre, float radius) {
+    return std::isfinite(centre.x + centre.y + centre.z) && std::isfinite(radius) && radius > 0;
+}
+
+}  // namespace
+
 void MeshSurface::texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const {
     out.clear();
-    const bool finite = std::isfinite(centre.x + centre.y + centre.z) && std::isfinite(radius);
-    if (!finite || !(radius > 0)) return;
-    BallQuery(*this, centre, radius).run(out);
+    if (is_ball(centre, radius)) BallQuery(*this, centre, radius, false).run(out);
+}
+
+void MeshSurface::precise_texels_in_ball(glm::vec3 centre, float radius,
+                                         std::vector<SurfaceTexel>& out) const {
+    out.clear();
+    if (is_ball(centre, radius)) BallQuery(*this, centre, radius, true).run(out);
 }
 
 }  // namespace relievo

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "brushes/brush.h"
 #include "brushes/height_map.h"
 #include "brushes/surface.h"
 #include "editor/session/surface/face_tree.h"
@@ -28,6 +29,8 @@ class MeshSurface final : public Surface {
     std::uint32_t face_count() const override;
     // Where footprints overlap, a texel stands at several points of S: the nearest one counts.
     void texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const override;
+    void precise_texels_in_ball(glm::vec3 centre, float radius,
+                                std::vector<SurfaceTexel>& out) const override;
     const SeamTable& seams() const override { return seams_; }
     float amplitude() const override { return amplitude_; }
     float midlevel() const override { return midlevel_; }
@@ -37,6 +40,15 @@ class MeshSurface final : public Surface {
     void set_displacement(double amplitude, double midlevel);
 
     bool owned(int x, int y) const override;
+
+    glm::dmat4 world_from_object() const override { return world_from_object_; }
+    void set_world_from_object(const glm::dmat4& transform) { world_from_object_ = transform; }
+
+    // The point of the base mesh nearest to a place; of several as near, that of the first face.
+    FacePoint nearest_on_base(glm::dvec3 place) const;
+    // World units between the centres of neighbouring texels on the base mesh: the root of the mean texel's
+    // area on the face, 0 where the face has no texels.
+    double texel_size(std::uint32_t face) const;
 
     // The normals at a face's corners lie within a cone about `axis`; `spread` is its half angle's sine (1
     // from a right angle on). It bounds how far displacement moves a point sideways.
@@ -54,6 +66,7 @@ class MeshSurface final : public Surface {
     const HeightMap& map_;
     MapGrid grid_;
     float amplitude_ = 0, midlevel_ = 0;
+    glm::dmat4 world_from_object_{1.0};
     FaceTree tree_;
     OwnedTexels owned_;
     std::vector<NormalCone> cones_;

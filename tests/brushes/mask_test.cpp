@@ -1,0 +1,150 @@
+// The mask: what it protects, its commands, and that it is undone like strokes.
+#include <gtest/gtest.h>
+
+#include "chart_surface.h"
+
+namespace relievo {
+namespace {
+
+struct Plane {
+    explicit Plane(int size = 128, float amplitude = 0.2f)
+        : map(size, size), surface(map, {unit_chart(map)}, amplitude), sculptor(map, surface) {
+        fill(map, [](int x, int y) { return 30000 + 311 * ((x * 7 + y * 13) % 17); });
+    }
+    HeightMap map;
+    ChartSurface surface;
+    Sculptor sculptor;
+};
+
+Brush brush_of(Tool tool, float radius = 0.2f, float strength = 1.0f) {
+    Brush brush;
+    brush.tool = tool;
+    brush.radius = radius;
+    brush.strength = strength;
+    brush.hardness = 0.5f;
+    return brush;
+}
+
+void use(Plane& plane, Tool tool) {
+    const Brush brush = brush_of(tool, 0.3f);
+    plane.sculptor.begin(brush);
+    for (int i = 0; i <= 10; ++i) {
+        Dab dab = plane.surface.dab(0.3 + (tool == Tool::grab ? 0 : 0.04 * i), 0.5);
+        dab.drag = {i * 5000, 1000, i * 4000};
+        plane.sculptor.dab(dab);
+    }
+    plane.sculptor.end();
+}
+
+TEST(Mask, protects_its_texels_from_every_tool_and_others_change) {
+    for (const ToolInfo& info : tools()) {
+        if (info.tool == Tool::mask) continue;
+        Plane plane;
+        tap(plane.sculptor, plane.surface, brush_of(Tool::mask), {0.5, 0.5});
+        const HeightMap before = plane.map;
+        use(plane, info.tool);
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < before.texels().size(); ++i) {
+            const bool same = plane.map.texels()[i] == before.texels()[i];
+            EXPECT_TRUE(same || plane.sculptor.mask()->texels()[i] < 65535) << info.name;
+            changed += !same;
+        }
+        EXPECT_GT(changed, 100u) << info.name;
+    }
+}
+
+TEST(Mask, over_everything_leaves_no_step_to_undo) {
+    Plane plane;
+    plane.sculptor.invert_mask();
+    EXPECT_EQ(plane.sculptor.mask()->at(3, 3), 65535);
+    const std::uint64_t hash = plane.map.hash(), steps = plane.sculptor.steps_made();
+    for (const ToolInfo& info : tools())
+        if (info.tool != Tool::mask) use(plane, info.tool);
+    EXPECT_EQ(plane.map.hash(), hash);
+    EXPECT_EQ(plane.sculptor.steps_made(), steps);
+}
+
+TEST(Mask, half_protection_halves_a_stroke) {
+    Plane half, free;
+    tap(half.sculptor, half.surface, brush_of(Tool::mask, 0.4f, 0.5f), {0.5, 0.5});
+    const int before = half.map.at(64, 64);
+    for (Plane* plane : {&half, &free})
+        tap(plane->sculptor, plane->surface, brush_of(Tool::draw, 0.2f), {64.5 / 128, 64.5 / 128});
+    EXPECT_NEAR(half.map.at(64, 64) - before, (free.map.at(64, 64) - before) / 2.0, 1);
+}
+
+TEST(Mask, strokes_and_commands_are_undone_in_turn_with_the_map) {
+    Plane plane;
+    const std::uint64_t bare = plane.map.hash();
+    tap(plane.sculptor, plane.surface, brush_of(Tool::mask), {0.4, 0.4});
+    const std::uint64_t masked = plane.sculptor.mask()->hash();
+    EXPECT_EQ(plane.map.hash(), bare);
+    tap(plane.sculptor, plane.surface, brush_of(Tool::draw), {0.5, 0.5});
+    const std::uint64_t drawn = plane.map.hash();
+    plane.sculptor.blur_mask();
+    plane.sculptor.invert_mask();
+    const std::uint64_t inverted = plane.sculptor.mask()->hash();
+    plane.sculptor.clear_mask();
+    EXPECT_TRUE(plane.sculptor.undo().empty()) << "no texel of the map changed";
+    EXPECT_EQ(plane.sculptor.mask()->hash(), inverted);
+    plane.sculptor.undo();
+    plane.sculptor.undo();
+    EXPECT_EQ(plane.sculptor.mask()->hash(), masked);
+    EXPECT_EQ(plane.map.hash(), drawn);
+    EXPECT_FALSE(plane.sculptor.undo().empty());
+    EXPECT_EQ(plane.map.hash(), bare);
+    plane.sculptor.undo();
+    EXPECT_EQ(plane.sculptor.mask()->at(51, 51), 0);
+    EXPECT_FALSE(plane.sculptor.can_undo());
+    while (plane.sculptor.can_redo()) plane.sculptor.redo();
+    EXPECT_EQ(plane.map.hash(), drawn);
+    EXPECT_EQ(plane.sculptor.mask()->at(51, 51), 0) << "cleared";
+    tap(plane.sculptor, plane.surface, brush_of(Tool::mask), {0.4, 0.4});
+    const std::uint64_t again = plane.sculptor.mask()->hash();
+    plane.sculptor.begin(brush_of(Tool::mask));
+    plane.sculptor.dab(plane.surface.dab(0.8, 0.8));
+    EXPECT_NE(plane.sculptor.mask()->hash(), again);
+    plane.sculptor.cancel();
+    EXPECT_EQ(plane.sculptor.mask()->hash(), again);
+}
+
+TEST(Mask, inverted_stroke_frees_again) {
+    Plane plane;
+    Brush brush = brush_of(Tool::mask);
+    tap(plane.sculptor, plane.surface, brush, {0.5, 0.5});
+    brush.invert = true;
+    brush.radius = 0.4f;
+    tap(plane.sculptor, plane.surface, brush, {0.5, 0.5});
+    EXPECT_EQ(plane.sculptor.mask()->at(64, 64), 0);
+}
+
+TEST(Mask, amplitude_0_can_be_masked) {
+    Plane plane(32, 0.0f);
+    tap(plane.sculptor, plane.surface, brush_of(Tool::mask), {0.5, 0.5});
+    EXPECT_EQ(plane.sculptor.mask()->at(16, 16), 65535);
+}
+
+TEST(Mask, blur_softens_the_border_and_keeps_the_middle_over_a_cut) {
+    HeightMap map(128, 96);
+    ChartSurface surface(
+        map, {{{0, 0}, {0.5, 1}, {2, 0}, {96, 0}, {0, 96}}, {{0.5, 0}, {1, 1}, {70, 0}, {96, 0}, {0, 96}}},
+        0.2f);
+    for (int y = 0; y < 96; ++y)
+        for (const auto& [gutter, source] : {std::pair{50, 70}, {69, 49}})
+            surface.table.copies.push_back({static_cast<std::uint32_t>(map.index(gutter, y)),
+                                            static_cast<std::uint32_t>(map.index(source, y))});
+    Sculptor sculptor(map, surface);
+    Brush brush = brush_of(Tool::mask, 0.1f);
+    brush.falloff = Falloff::constant;
+    tap(sculptor, surface, brush, {0.42, 0.5});  // its border lies in the right island
+    sculptor.blur_mask();
+    EXPECT_EQ(sculptor.mask()->at(2 + 40, 48), 65535);
+    const int at_border = sculptor.mask()->at(70 + 1, 48), outside = sculptor.mask()->at(70 + 4, 48);
+    EXPECT_GT(at_border, 10000);
+    EXPECT_LT(at_border, 60000);
+    EXPECT_GT(outside, 0) << "blurred across the cut";
+    EXPECT_EQ(sculptor.mask()->at(50, 48), sculptor.mask()->at(70, 48)) << "the gutter";
+}
+
+}  // namespace
+}  // namespace relievo
