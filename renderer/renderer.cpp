@@ -40,6 +40,14 @@ void check_size(const vulkan::Context& context, int width, int height, const cha
                                     " a side");
 }
 
+// Of a method that samples along the ray, in bounding-sphere radii; 0 for others. A sampled surface is off by part of a
+// step: shadow rays start beyond that.
+double sampling_step(const std::map<std::string, double>& parameters) {
+    if (const auto dt = parameters.find("dt"); dt != parameters.end()) return dt->second;
+    if (const auto steps = parameters.find("steps"); steps != parameters.end()) return 2 / steps->second;
+    return 0;
+}
+
 }  // namespace
 
 struct Renderer::State {
@@ -190,9 +198,7 @@ void Renderer::State::apply_parameters() {
         values[i] = static_cast<float>(parameters.at(std::string(method->parameters[i].name)));
     frame_data().parameters0 = {values[0], values[1], values[2], values[3]};
     frame_data().parameters1 = {values[4], values[5], values[6], values[7]};
-    // A sampled surface is off by part of a step: shadow rays start beyond that.
-    const auto dt = parameters.find("dt");
-    gpu_scene->set_ray_offset(std::max(kLeastRayOffset, dt == parameters.end() ? 0.0 : 0.5 * dt->second));
+    gpu_scene->set_ray_offset(std::max(kLeastRayOffset, 0.5 * sampling_step(parameters)));
 }
 
 void Renderer::State::run(vulkan::Pass pass, const gpu::PushData& push, int width, int height) {

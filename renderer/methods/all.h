@@ -6,7 +6,8 @@
 #define RELIEVO_METHODS(METHOD) \
     METHOD(kExact)              \
     METHOD(kPdm)                \
-    METHOD(kDbvh)
+    METHOD(kDbvh)               \
+    METHOD(kMarch)
 
 namespace relievo {
 
