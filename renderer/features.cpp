@@ -51,6 +51,8 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.pyramid = all || request.method->needs_pyramid;
     f.true_shell = request.method->geometry == GeometryKind::surface_bounds;
     f.procedural = all || any_procedural(scene);
+    f.micro_triangles = request.method->geometry == GeometryKind::triangles;
+    f.density = f.micro_triangles ? request.density : 0;
     f.searched = f.true_shell && (all || request.has_searched);
     f.path = request.path;
     return f;
@@ -75,7 +77,8 @@ class Describer {
 
     void geometry() {
         const Features& f = features_;
-        add("base mesh prisms", true, "every triangle is met as one box in one tree");
+        add("base mesh prisms", true,
+            f.micro_triangles ? "hits are told on the base mesh" : "every triangle is met as one box in one tree");
         add("displacement maps", true, "the surface itself, 16 bits a texel");
         add_needed("procedural heights", f.procedural, any_procedural(scene_),
                    "an object's heights are made of an exemplar: its Gaussianised texels stand in the map's place",
@@ -85,7 +88,10 @@ class Describer {
                    method_ + " samples heights and needs no bounds of the map");
         add("surface bounds", f.true_shell,
             f.true_shell ? method_ + " meets the surface itself: boxes hold it where it leaves the parallel prism"
+            : f.micro_triangles ? method_ + " meets micro-triangles, and boxes hold each of them"
                          : method_ + " meets the surface of the parallel prism, and boxes hold no more");
+        add("micro-triangles", f.micro_triangles,
+            f.micro_triangles ? "the surface, made of triangles in advance" : method_ + " needs no tessellation");
         add_needed("search of folded shells", f.searched, f.true_shell && request_.has_searched,
                    "the shell of a triangle folds, or stands far from its normal",
                    f.true_shell ? "no triangle's shell folds" : method_ + " does not meet the surface itself");

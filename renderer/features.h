@@ -35,6 +35,8 @@ struct Features {
     bool pyramid = false;        // min-max pyramid of the map on the device
     bool true_shell = false;     // boxes and clipping hold S itself, not only the parallel prism's surface
     bool procedural = false;     // heights made of an exemplar
+    bool micro_triangles = false; // S made of triangles in advance
+    double density = 0;          // of them, segments a texel
     bool searched = false;       // search of triangles whose shell folds
     TracePath path = TracePath::ray_query;  // never automatic
     bool operator==(const Features&) const = default;
@@ -46,6 +48,7 @@ struct FeatureRequest {
     bool has_creases = false;  // a mesh has edges folded below the threshold
     TracePath path = TracePath::ray_query;  // resolved
     bool path_asked_for = false;            // not the device's own choice
+    double density = 0;                     // the method's parameter of that name, 0 where it has none
     bool has_searched = false;              // a triangle is flagged kPrimitiveSearched
 };
 

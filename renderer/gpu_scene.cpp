@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -18,6 +20,23 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr VkImageUsageFlags kTexture = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+
+int wrapped(double texel, int size, Wrap wrap) {
+    if (wrap == Wrap::clamp) return static_cast<int>(std::clamp(texel, 0.0, static_cast<double>(size - 1)));
+    return static_cast<int>(texel - size * std::floor(texel / size));
+}
+
+// In [0, 1], at texel coordinates.
+double bilinear_height(const HeightView& map, Wrap wrap, const glm::dvec2& texel) {
+    const glm::dvec2 cell = glm::floor(texel), f = texel - cell;
+    const auto height = [&](double x, double y) {
+        return map.texels[static_cast<std::size_t>(wrapped(cell.y + y, map.height, wrap)) *
+                              static_cast<std::size_t>(map.width) +
+                          static_cast<std::size_t>(wrapped(cell.x + x, map.width, wrap))] /
+               65535.0;
+    };
+    return glm::mix(glm::mix(height(0, 0), height(1, 0), f.x), glm::mix(height(0, 1), height(1, 1), f.x), f.y);
+}
 
 // Edges that one triangle has for itself: rays may look underneath there.
 void flag_open_edges(const Mesh& mesh, std::uint32_t face, const std::map<std::pair<std::uint32_t, std::uint32_t>, int>& uses,
@@ -90,6 +109,13 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         objects_[p.object].primitive_of[p.face] = i;
         sorted.push_back(boxes[order[i]]);
     }
+    if (features.micro_triangles) {
+        std::vector<MicroScene::Object> micro_objects;
+        for (const Object& o : objects_) micro_objects.push_back(micro_object(o));
+        micro_.emplace(context, micro_objects, std::span(primitives_.as<gpu::Primitive>(), order.size()), features.density,
+                       features.path);
+        sorted = micro_->boxes();
+    }
     tree_ = BoxTree(context, commands, sorted, features.path);
 
     object_data_ = vulkan::Buffer(context, objects_.size() * sizeof(gpu::ObjectData), kStorage, vulkan::Access::host);
@@ -120,6 +146,7 @@ void GpuScene::add_object(const SceneObject& description, const HeightView& map,
     object.wrap = displacement.wrap;
     object.amplitude = displacement.amplitude;
     object.midlevel = displacement.midlevel;
+    object.heights = map;
     if (displacement.procedural) {
         object.source = std::make_unique<ProceduralSource>(*displacement.procedural, map.width, map.height, map.texels);
         load_source(object);
@@ -147,6 +174,21 @@ void GpuScene::add_primitives(Object& object, const TexelSpace& texels, std::vec
         any_searched_ = any_searched_ || (p->flags & gpu::kPrimitiveSearched) != 0;
         primitives.push_back(*p);
     }
+}
+
+// S as the device has it: bilinear between texels, in double.
+MicroScene::Object GpuScene::micro_object(const Object& object) const {
+    const Object* o = &object;
+    if (o->source)
+        return {&o->mesh, [o](const glm::dvec2& uv) { return o->source->texel_at(uv); },
+                [o](const glm::dvec2& uv) {
+                    return o->amplitude * (o->source->value(o->source->texel_at(uv)) - o->midlevel);
+                }};
+    const glm::dvec2 size(o->heights.width, o->heights.height);
+    return {&o->mesh, [size](const glm::dvec2& uv) { return uv * size - 0.5; },
+            [o, size](const glm::dvec2& uv) {
+                return o->amplitude * (bilinear_height(o->heights, o->wrap, uv * size - 0.5) - o->midlevel);
+            }};
 }
 
 void GpuScene::load_source(Object& object) {
@@ -280,6 +322,7 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     stats.copy_ms = watch.lap_ms();
 
     object.bounds->move(map.texels);
+    object.heights = map;
     std::vector<std::uint32_t> faces, found;
     for (const TexelRegion& r : regions) {
         object.bounds->update({r.x0, r.y0, r.x1, r.y1});
@@ -293,6 +336,10 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
         const std::uint32_t i = object.primitive_of[face];
         if (i == kNone) continue;
         ++stats.triangles_touched;
+        if (micro_) {
+            update_primitive(object, face);
+            continue;
+        }
         DisplacementRange& range = object.ranges[face];
         const DisplacementRange fresh = range_of(object, face);
         // Bounds that shrank stay: they are still true, and the box need not move.
@@ -303,7 +350,7 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
         grown = true;
     }
     stats.bounds_ms = watch.lap_ms();
-    if (grown) {
+    if (grown || (micro_ && stats.triangles_touched > 0)) {
         tree_.refit(commands_);
         stats.refit_ms = watch.lap_ms();
     }
@@ -321,7 +368,8 @@ void GpuScene::update_primitive(const Object& object, std::uint32_t face) {
     gpu::Primitive& p = primitives_.as<gpu::Primitive>()[i];
     set_bounds(object, face, p);
     any_searched_ = any_searched_ || (p.flags & gpu::kPrimitiveSearched) != 0;
-    tree_.set_box(i, box_of(p));
+    if (micro_) micro_->move(i, p, micro_object(object).displacement, tree_);
+    else tree_.set_box(i, box_of(p));
 }
 
 void GpuScene::set_displacement(std::size_t index, double amplitude, double midlevel) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "renderer/box_tree.h"
 #include "renderer/features.h"
 #include "renderer/height_pyramid.h"
+#include "renderer/micro_scene.h"
 #include "renderer/primitives.h"
 #include "renderer/renderer.h"
 #include "renderer/scene/triangle_bounds.h"
@@ -33,6 +35,11 @@ class GpuScene {
     PrimitiveId primitive_id(std::uint32_t primitive) const;
     VkDeviceAddress primitive_address() const { return primitives_.address(); }
     VkDeviceAddress bvh_address() const { return tree_.nodes(); }  // 0 where an acceleration structure is used
+
+    // Micro-triangles, where the method meets them.
+    VkDeviceAddress micro_vertices() const { return micro_ ? micro_->vertices() : 0; }
+    VkDeviceAddress micro_triangles() const { return micro_ ? micro_->triangles() : 0; }
+    std::uint64_t micro_bytes() const { return micro_ ? micro_->bytes() : 0; }
 
     // Writes bindings TLAS (where there is one), primitives, normals, objects, maps, opacity.
     void write_bindings(VkDescriptorSet set) const;
@@ -62,6 +69,7 @@ class GpuScene {
         vulkan::SamplerHandle map_sampler, opacity_sampler;
         Wrap wrap = Wrap::repeat;
         double amplitude = 0, midlevel = 0;
+        HeightView heights;  // as last uploaded
     };
     void add_object(const SceneObject& object, const HeightView& map, const Features& features,
                     std::vector<gpu::Primitive>& primitives);
@@ -76,6 +84,7 @@ class GpuScene {
     void set_bounds(const Object& object, std::uint32_t face, gpu::Primitive& primitive) const;
     DisplacementRange range_of(const Object& object, std::uint32_t face) const;
     Box box_of(const gpu::Primitive& primitive) const;
+    MicroScene::Object micro_object(const Object& object) const;
     void update_primitive(const Object& object, std::uint32_t face);  // bounds and box, after the range has changed
 
     vulkan::Context& context_;
@@ -84,6 +93,7 @@ class GpuScene {
     bool meets_surface_ = false;  // the method meets S itself, not the parallel prism's surface
     std::vector<Object> objects_;
     vulkan::Buffer primitives_, normals_, object_data_, procedural_, staging_;
+    std::optional<MicroScene> micro_;
     BoxTree tree_;
 };
 

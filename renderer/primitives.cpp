@@ -205,13 +205,13 @@ double relative_altitude(const gpu::Primitive& p) {
     return offset_area(p, 0) / (edge * size);
 }
 
+}  // namespace
+
 Box with_rounding(const Box& box) {
     const glm::vec3 margin = glm::vec3(glm::length(box.high - box.low) * 2e-5f) +
                              glm::max(glm::abs(box.low), glm::abs(box.high)) * 1e-6f;
     return {box.low - margin, box.high + margin};
 }
-
-}  // namespace
 
 Box surface_box(const gpu::Primitive& p, const gpu::PrimitiveNormals& n, const DisplacementRange& range) {
     // S lies in the hull of P_i + D_low N_i s and P_i + D_high N_i s, s the middle of 1/|N|, grown by what

@@ -48,6 +48,8 @@ void set_heights(gpu::Primitive& primitive, const DisplacementRange& range);
 // primitive is flagged kPrimitiveSearched and its heights are the range itself.
 void set_shell(gpu::Primitive& primitive, const gpu::PrimitiveNormals& normals, const DisplacementRange& range);
 
+// The box, a little larger than rounding needs.
+Box with_rounding(const Box& box);
 // Box of the prism between w_low and w_high, a little larger than rounding needs.
 Box prism_box(const gpu::Primitive& primitive);
 // Box of S over the triangle for displacements in the range, after set_shell with the same; likewise.

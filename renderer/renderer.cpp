@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "renderer/bindings.h"
 #include "renderer/features.h"
@@ -38,6 +39,14 @@ void check_size(const vulkan::Context& context, int width, int height, const cha
         throw std::invalid_argument(std::string(what) + " of " + std::to_string(width) + " x " +
                                     std::to_string(height) + ": the device takes 1 to " + std::to_string(limit) +
                                     " a side");
+}
+
+// The values that what is built depends on.
+std::vector<double> built_by(const Method& method, const std::map<std::string, double>& parameters) {
+    std::vector<double> values;
+    for (const MethodParameter& p : method.parameters)
+        if (p.shapes_build) values.push_back(parameters.at(std::string(p.name)));
+    return values;
 }
 
 // Of a method that samples along the ray, in bounding-sphere radii; 0 for others. A sampled surface is off by part of a
@@ -85,6 +94,7 @@ struct Renderer::State {
     }
     void build();
     void build_scene();
+    void rebuild_for(const Method& method);
     void write_addresses();
     void make_set();
     void make_passes();
@@ -102,10 +112,20 @@ struct Renderer::State {
 
 void Renderer::State::build_scene() {
     request.has_searched = false;
+    const auto density = parameters.find("density");
+    request.density = density == parameters.end() ? 0 : density->second;
     features = derive_features(scene, request);
     gpu_scene.emplace(context, commands, scene, maps, features, mended.traced(features.mended_creases));
     request.has_searched = gpu_scene->any_searched();
     features = derive_features(scene, request);
+}
+
+void Renderer::State::rebuild_for(const Method& m) {
+    method = request.method = &m;
+    build_scene();
+    write_addresses();
+    gpu_scene->write_bindings(set);
+    make_passes();
 }
 
 void Renderer::State::build() {
@@ -139,6 +159,8 @@ void Renderer::State::make_pick_buffers() {
 void Renderer::State::write_addresses() {
     frame_data().bvh = vulkan::address_words(gpu_scene->bvh_address());
     frame_data().primitives = vulkan::address_words(gpu_scene->primitive_address());
+    frame_data().micro_vertices = vulkan::address_words(gpu_scene->micro_vertices());
+    frame_data().micro_triangles = vulkan::address_words(gpu_scene->micro_triangles());
 }
 
 void Renderer::State::make_set() {
@@ -234,6 +256,7 @@ void Renderer::State::count_bytes() {
     for (Feature& f : report.features) {
         if (f.name == "base mesh prisms") f.bytes = gpu_scene->primitive_bytes();
         if (f.name == trace_path_words(features.path)) f.bytes = gpu_scene->tree_bytes();
+        if (f.name == "micro-triangles") f.bytes = gpu_scene->micro_bytes();
         if (f.name == "displacement maps") f.bytes = gpu_scene->map_bytes();
         if (f.name == "procedural heights" && f.built) f.bytes = gpu_scene->procedural_bytes();
         if (f.name == "min-max pyramid") f.bytes = gpu_scene->pyramid_bytes();
@@ -327,14 +350,16 @@ void Renderer::set_heights(std::size_t object, const Displacement& displacement,
 void Renderer::set_method(const std::string& name, const std::map<std::string, double>& parameters) {
     State& s = *state_;
     const Method& method = find_method(name);
-    s.parameters = resolve_parameters(method, parameters);
-    if (&method != s.method) {
-        s.method = &method;
-        s.request.method = &method;
-        s.build_scene();
-        s.write_addresses();
-        s.gpu_scene->write_bindings(s.set);
-        s.make_passes();
+    const Method* const method_before = s.method;
+    const auto before = std::exchange(s.parameters, resolve_parameters(method, parameters));
+    if (&method != method_before || built_by(method, before) != built_by(method, s.parameters)) {
+        try {
+            s.rebuild_for(method);
+        } catch (const std::invalid_argument&) {  // refused: what was there comes back
+            s.parameters = before;
+            s.rebuild_for(*method_before);
+            throw;
+        }
     }
     s.apply_parameters();
     s.restart();

@@ -93,6 +93,17 @@ RELIEVO_CONST uint kBvhLeaf = 0x80000000u;
 RELIEVO_CONST uint kBvhNone = 0xffffffffu;
 RELIEVO_CONST uint kBvhStack = 48u;  // nodes that wait while others are walked: the builder's promise
 
+// A corner of a micro-triangle of S, and the micro-triangle (renderer/micro_mesh.h). Box i of the tree is
+// micro-triangle i.
+struct MicroVertex {
+    vec3 position;  // world
+    vec2 b;         // barycentrics of the base triangle's vertices 1 and 2
+};
+struct MicroTriangle {
+    uvec3 vertex;
+    uint primitive;
+};
+
 struct LightData {
     vec3 position;   // sun: unit direction towards the sun; point: world
     float size;      // sun: tangent of the angular radius; point: sphere radius, world units
@@ -119,6 +130,7 @@ struct FrameData {
     ivec2 size;        // image, pixels
     uvec2 bvh;         // device address of the BvhNodes, low word first; 0 where another way of tracing is used
     uvec2 primitives;  // device address of the Primitives
+    uvec2 micro_vertices, micro_triangles;  // device addresses, where the method has them
     vec4 parameters0, parameters1;  // of the method, in the registry's order
     LightData lights[8];
 };
@@ -211,7 +223,9 @@ static_assert(sizeof(ObjectData) == 48);
 static_assert(sizeof(ProceduralData) == 80);
 static_assert(sizeof(BvhNode) == 64);  // a cache line
 static_assert(sizeof(LightData) == 32);
-static_assert(sizeof(FrameData) == 168 + 8 * 32);
+static_assert(sizeof(MicroVertex) == 20);
+static_assert(sizeof(MicroTriangle) == 16);
+static_assert(sizeof(FrameData) == 184 + 8 * 32);
 static_assert(sizeof(PushData) == 32);
 static_assert(sizeof(PickRay) == 32);
 static_assert(sizeof(PickResult) == 32);

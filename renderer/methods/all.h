@@ -7,7 +7,8 @@
     METHOD(kExact)              \
     METHOD(kPdm)                \
     METHOD(kDbvh)               \
-    METHOD(kMarch)
+    METHOD(kMarch)              \
+    METHOD(kTessellated)
 
 namespace relievo {
 

@@ -18,10 +18,11 @@ struct MethodParameter {
     // What trades error against time: the values that `compare` tries, coarse and quick ones first. Empty: left as it is.
     std::span<const double> sweep{};
     std::span<const std::string_view> names{};  // of the values 0, 1, ...; empty: a number
+    bool shapes_build = false;  // what is built depends on it: a change builds anew
 };
 
 // Which boxes and per-triangle data a method's rays meet.
-enum class GeometryKind { parallel_prisms, surface_bounds };
+enum class GeometryKind { parallel_prisms, surface_bounds, triangles };  // triangles: micro-triangles of S
 
 struct Method {
     std::string_view name, title, paper, limits;

@@ -119,3 +119,8 @@ struct TraceHit {
 const uint kNoHit = 0xffffffffu;
 
 #include "intersect.glsl"  // the method's own: found by the include path of its folder
+
+// The triangle that a box of the tree belongs to: itself, where the method has no boxes of its own.
+#ifndef RELIEVO_OWN_BOXES
+uint primitive_of_box(uint box) { return box; }
+#endif

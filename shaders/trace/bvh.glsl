@@ -85,7 +85,7 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
             next = k.x < kNotMet ? c.x : next_waiting(best.t);
         }
         if (next == kBvhNone) break;
-        if (test_primitive(next & ~kBvhLeaf, origin, direction, t_min, pixel, best) && any_hit) break;
+        if (test_box(next & ~kBvhLeaf, origin, direction, t_min, pixel, best) && any_hit) break;
         next = next_waiting(best.t);
     }
     flush_counts(pixel);

@@ -11,14 +11,15 @@ ivec2 invocation_pixel() {
 }
 int invocation_index() { return int(gl_GlobalInvocationID.x); }
 
-// Meets one primitive whose box the ray meets. Of equally near hits the least index wins, in whatever order boxes come;
+// Meets the primitive behind a box that the ray meets. Of equally near hits the least index wins, in whatever order boxes come;
 // and a method's answer does not depend on best.t, but for being beyond it.
 // The primitive is read by address: lavapipe makes one gather a word of that, and of a storage buffer a loop over lanes
 // (measured: 11 to 15% of the frame).
-bool test_primitive(uint id, vec3 origin, vec3 direction, float t_min, uint pixel, inout TraceHit best) {
+bool test_box(uint box, vec3 origin, vec3 direction, float t_min, uint pixel, inout TraceHit best) {
+    uint id = primitive_of_box(box);
     Primitive p = Primitives(frame.primitives).at[id];
     SurfaceHit hit;
-    begin_notes(id);
+    begin_notes(id, box);
     float random = random_at(pixel, push.sample_index, id);
     if (!intersect_surface(p, object_data(p.object), frame.parameters0, origin, direction, t_min, best.t, random, hit))
         return false;

@@ -8,7 +8,7 @@ layout(location = 0) rayPayloadInEXT TraceHit payload;
 hitAttributeEXT vec2 attribute_b;
 
 void main() {
-    payload.primitive = uint(gl_PrimitiveID);
+    payload.primitive = primitive_of_box(uint(gl_PrimitiveID));
     payload.t = gl_HitTEXT;
     payload.b = attribute_b;
 }

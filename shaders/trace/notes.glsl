@@ -3,7 +3,8 @@ layout(set = 0, binding = kBindRayCounts, scalar) buffer RayCountBlock { uvec4 r
 layout(set = 0, binding = kBindNotes, scalar) buffer NoteBlock { uint note_count; uint note_spare[3]; Note notes[]; };
 
 uvec4 counted = uvec4(0u);    // boxes, steps, fetches, cells since the last flush
-uint asked_primitive = 0u;     // the triangle whose method is running
+uint asked_primitive = 0u;     // the triangle whose method is running,
+uint asked_box = 0u;           // and its box that was met
 
 void count_fetch() { if (kNotes == kNotesCounts) ++counted.z; }
 
@@ -20,8 +21,9 @@ void note(uint kind, float t, vec2 texel, float height, float extent) {
     }
 }
 
-void begin_notes(uint primitive) {
+void begin_notes(uint primitive, uint box) {
     asked_primitive = primitive;
+    asked_box = box;
     note(kNoteBox, 0.0, vec2(0.0), 0.0, 0.0);
 }
 

@@ -16,8 +16,8 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
     rayQueryInitializeEXT(query, scene_bvh, any_hit ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT, 0xff,
                           origin, t_min, direction, t_max);
     while (rayQueryProceedEXT(query)) {
-        uint id = uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, false));
-        if (!test_primitive(id, origin, direction, t_min, pixel, best)) continue;
+        uint box = uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, false));
+        if (!test_box(box, origin, direction, t_min, pixel, best)) continue;
         rayQueryGenerateIntersectionEXT(query, best.t);
         if (any_hit) break;
     }

@@ -19,8 +19,16 @@ MethodRenderers::MethodRenderers(vulkan::Context& context, const ReferenceScene&
 
 MethodRenderers::~MethodRenderers() = default;
 
+MethodRenderers::Key MethodRenderers::key_of(const PointChoice& point) {
+    Key key{point.method, {}};
+    for (const MethodParameter& p : point.method->parameters)
+        if (const auto value = point.swept.find(std::string(p.name)); p.shapes_build && value != point.swept.end())
+            key.second.insert(*value);
+    return key;
+}
+
 Renderer& MethodRenderers::select(const PointChoice& point) {
-    OfMethod& of = renderers_[point.method];
+    OfMethod& of = renderers_[key_of(point)];
     if (!of.renderer) {
         settings_.method = std::string(point.method->name);
         settings_.parameters = point.swept;
@@ -40,7 +48,7 @@ void MethodRenderers::resize(int width, int height) {
 }
 
 const MethodRenderers::Build& MethodRenderers::build_of(const PointChoice& point) const {
-    return renderers_.at(point.method).build;
+    return renderers_.at(key_of(point)).build;
 }
 
 }  // namespace relievo

@@ -1,10 +1,11 @@
-// One renderer a method over the same scene, so that rounds can change from point to point without building
-// anything.
+// One renderer over the same scene for every method, and for every value of what shapes its structures, so that
+// rounds can change from point to point without building anything.
 #pragma once
 
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "editor/session/compare/points.h"
@@ -21,11 +22,12 @@ class MethodRenderers {
                     TracePath path);
     ~MethodRenderers();
 
-    // The method's renderer with the point's parameters, its image forgotten. Built at first use.
+    // The renderer with the point's parameters, its image forgotten. Built at first use; std::invalid_argument where
+    // the method refuses.
     Renderer& select(const PointChoice& point);
     void resize(int width, int height);
 
-    // What the first use of a method took.
+    // What the first use took.
     struct Build {
         double ms = 0;
         FeatureReport features;
@@ -33,6 +35,8 @@ class MethodRenderers {
     const Build& build_of(const PointChoice& point) const;
 
   private:
+    using Key = std::pair<const Method*, std::map<std::string, double>>;
+    static Key key_of(const PointChoice& point);
     struct OfMethod {
         std::unique_ptr<Renderer> renderer;
         Build build;
@@ -41,7 +45,7 @@ class MethodRenderers {
     const Scene& scene_;
     std::vector<HeightView> maps_;
     RenderSettings settings_;
-    std::map<const Method*, OfMethod> renderers_;
+    std::map<Key, OfMethod> renderers_;
 };
 
 }  // namespace relievo

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "editor/session/compare/answers.h"
 #include "editor/session/compare/image_error.h"
@@ -129,12 +130,17 @@ void SceneRun::measure_errors() {
         const PointChoice& choice = task_.points[i];
         const double part = static_cast<double>(i) / static_cast<double>(task_.points.size());
         tell_("errors of " + choice.label, kReferencePart / 2 + part * (kErrorsPart - kReferencePart / 2));
-        if (may_measure(i)) {
-            measure(i);
-        } else {
+        if (!may_measure(i)) {
             result_.cut.push_back(choice.label + " was not measured");
+            continue;
+        }
+        try {
+            measure(i);
+        } catch (const std::invalid_argument& refusal) {
+            result_.cut.push_back(choice.label + ": " + refusal.what());
         }
     }
+    if (result_.points.empty()) throw std::invalid_argument(task_.name + ": " + result_.cut.front());
 }
 
 void SceneRun::measure(std::size_t index) {

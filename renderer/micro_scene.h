@@ -1,0 +1,49 @@
+// The micro-triangles of all objects on the device, in the order of their boxes.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "renderer/box_tree.h"
+#include "renderer/micro_mesh.h"
+#include "renderer/vulkan/resources.h"
+
+namespace relievo {
+
+class MicroScene {
+  public:
+    struct Object {
+        const Mesh* mesh;  // outlives the scene
+        MicroMesh::TexelAt texel_at;
+        MicroMesh::DisplacementAt displacement;
+    };
+
+    // `primitives` as on the device. Throws std::invalid_argument, before anything is built, where there would be more
+    // than kMostMicroTriangles.
+    MicroScene(const vulkan::Context& context, std::span<const Object> objects,
+               std::span<const gpu::Primitive> primitives, double density, TracePath path);
+
+    std::vector<Box> boxes() const;  // box i is that of micro-triangle i
+    // Moves the micro-triangles of one primitive to where the heights are now, and their boxes.
+    void move(std::uint32_t primitive, const gpu::Primitive& p, const MicroMesh::DisplacementAt& displacement,
+              BoxTree& tree);
+
+    VkDeviceAddress vertices() const { return vertices_.address(); }
+    VkDeviceAddress triangles() const { return triangles_.address(); }
+    VkDeviceSize bytes() const { return vertices_.bytes() + triangles_.bytes(); }
+
+  private:
+    struct Part {  // of one primitive
+        std::uint32_t first_vertex = 0, first_triangle = 0, triangle_count = 0;
+    };
+    void place(const Part& part, const gpu::Primitive& p, const MicroMesh::DisplacementAt& displacement);
+    Box box_of(std::uint32_t triangle) const;
+
+    std::vector<MicroMesh> meshes_;
+    std::vector<Part> parts_;
+    std::vector<std::uint32_t> place_of_;  // of a triangle in its part's order: where it is stored
+    vulkan::Buffer vertices_, triangles_;
+};
+
+}  // namespace relievo
