@@ -336,21 +336,17 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
         const std::uint32_t i = object.primitive_of[face];
         if (i == kNone) continue;
         ++stats.triangles_touched;
-        if (micro_) {
-            update_primitive(object, face);
-            continue;
-        }
         DisplacementRange& range = object.ranges[face];
         const DisplacementRange fresh = range_of(object, face);
-        // Bounds that shrank stay: they are still true, and the box need not move.
-        if (fresh.low >= range.low && fresh.high <= range.high) continue;
+        // Bounds that shrank stay: they are still true, and the box need not move. Micro-triangles move.
+        if (!micro_ && fresh.low >= range.low && fresh.high <= range.high) continue;
         range = {std::min(range.low, fresh.low), std::max(range.high, fresh.high)};
         update_primitive(object, face);
         ++stats.triangles_grown;
         grown = true;
     }
     stats.bounds_ms = watch.lap_ms();
-    if (grown || (micro_ && stats.triangles_touched > 0)) {
+    if (grown) {
         tree_.refit(commands_);
         stats.refit_ms = watch.lap_ms();
     }

@@ -24,8 +24,8 @@ std::uint32_t index_of(std::uint32_t i, std::uint32_t j, std::uint32_t segments)
     return j * (segments + 1) - j * (j - 1) / 2 + i;
 }
 
-// Where corner k of n along an edge stands on an edge of `coarse` segments. `turned`: the edge is counted from its
-// other end, so that both its sides round alike.
+// Where corner k of n along an edge stands on an edge of `coarse` segments. `turned`: the edge is counted
+// from its other end, so that both its sides round alike.
 std::uint32_t snapped(std::uint32_t k, std::uint32_t n, std::uint32_t coarse, bool turned) {
     const std::uint32_t from = turned ? n - k : k;
     const std::uint32_t place = (2 * from * coarse + n) / (2 * n);
@@ -67,7 +67,8 @@ std::uint32_t MicroMesh::vertices_of(std::uint32_t face) const {
 MicroMesh::Corner MicroMesh::corner(std::uint32_t face, std::uint32_t i, std::uint32_t j) const {
     const std::uint32_t n = segments_[face];
     const auto& position = mesh_.faces[face].position;
-    const auto on_edge = [&](std::size_t opposite, std::uint32_t k) {  // k from the edge's first end in cyclic order
+    const auto on_edge = [&](std::size_t opposite,
+                             std::uint32_t k) {  // k from the edge's first end in cyclic order
         const bool turned = position[(opposite + 1) % 3] > position[(opposite + 2) % 3];
         return snapped(k, n, of_edge_[face][opposite], turned);
     };
@@ -89,7 +90,8 @@ void MicroMesh::place(std::uint32_t face, const DisplacementAt& displacement,
     const std::uint32_t n = segments_[face];
     // Sums in the positions' order: both sides of an edge round alike.
     std::array<std::size_t, 3> order{0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return f.position[a] < f.position[b]; });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return f.position[a] < f.position[b]; });
     std::size_t next = 0;
     for (std::uint32_t j = 0; j <= n; ++j)
         for (std::uint32_t i = 0; i + j <= n; ++i) {

@@ -31,7 +31,8 @@ MicroScene::MicroScene(const vulkan::Context& context, std::span<const Object> o
     if (most > kMostMicroTriangles)
         throw std::invalid_argument("method 'tessellated' would make " + std::to_string(most) +
                                     " micro-triangles, at most " + std::to_string(kMostMicroTriangles) +
-                                    " are made: a smaller density than " + std::to_string(density) + " makes fewer");
+                                    " are made: a smaller density than " + std::to_string(density) +
+                                    " makes fewer");
     std::vector<gpu::MicroTriangle> triangles;
     triangles.reserve(most);
     std::uint32_t vertices = 0;
@@ -50,18 +51,21 @@ MicroScene::MicroScene(const vulkan::Context& context, std::span<const Object> o
     std::iota(order.begin(), order.end(), 0u);
     if (path != TracePath::bvh) {
         std::vector<Box> boxes;
-        for (const gpu::MicroTriangle& t : triangles) boxes.push_back(box_around(t, vertices_.as<gpu::MicroVertex>()));
+        for (const gpu::MicroTriangle& t : triangles)
+            boxes.push_back(box_around(t, vertices_.as<gpu::MicroVertex>()));
         order = spatial_order(boxes);
     }
     place_of_.resize(order.size());
-    triangles_ = vulkan::Buffer(context, triangles.size() * sizeof(gpu::MicroTriangle), kStorage, vulkan::Access::host);
+    triangles_ = vulkan::Buffer(context, triangles.size() * sizeof(gpu::MicroTriangle), kStorage,
+                                vulkan::Access::host);
     for (std::uint32_t i = 0; i < order.size(); ++i) {
         triangles_.as<gpu::MicroTriangle>()[i] = triangles[order[i]];
         place_of_[order[i]] = i;
     }
 }
 
-void MicroScene::place(const Part& part, const gpu::Primitive& p, const MicroMesh::DisplacementAt& displacement) {
+void MicroScene::place(const Part& part, const gpu::Primitive& p,
+                       const MicroMesh::DisplacementAt& displacement) {
     const MicroMesh& mesh = meshes_[p.object];
     mesh.place(p.face, displacement,
                {vertices_.as<gpu::MicroVertex>() + part.first_vertex, mesh.vertices_of(p.face)});
@@ -77,8 +81,8 @@ std::vector<Box> MicroScene::boxes() const {
     return boxes;
 }
 
-void MicroScene::move(std::uint32_t primitive, const gpu::Primitive& p, const MicroMesh::DisplacementAt& displacement,
-                      BoxTree& tree) {
+void MicroScene::move(std::uint32_t primitive, const gpu::Primitive& p,
+                      const MicroMesh::DisplacementAt& displacement, BoxTree& tree) {
     const Part& part = parts_[primitive];
     place(part, p, displacement);
     for (std::uint32_t i = 0; i < part.triangle_count; ++i) {

@@ -19,8 +19,8 @@ class MicroScene {
         MicroMesh::DisplacementAt displacement;
     };
 
-    // `primitives` as on the device. Throws std::invalid_argument, before anything is built, where there would be more
-    // than kMostMicroTriangles.
+    // `primitives` as on the device. Throws std::invalid_argument, before anything is built, where there
+    // would be more than kMostMicroTriangles.
     MicroScene(const vulkan::Context& context, std::span<const Object> objects,
                std::span<const gpu::Primitive> primitives, double density, TracePath path);
 

@@ -25,6 +25,7 @@ void hold(std::vector<std::string>& failures, const char* what, double value, do
 Promise promise_of(std::string_view method) {
     if (method == "exact") return {method, {}, true, false};
     if (method == "pdm") return {method, {{"dt", 0.001}, {"jitter", 0}}, false, true};
+    if (method == "tessellated") return {method, {{"density", 0.25}}, false, false};
     if (method == "march") return {method, {{"steps", 2000}}, false, true};
     return {method, {}, false, false};
 }

@@ -109,6 +109,10 @@ TEST(Reports, TheSummaryIsTables) {
     EXPECT_NE(text.find("| orb | 20.0 (20.0) | 1.0e-6, 1.0e-5 | 0, 0 | dt 0.0005: 0.50 (0.60) | none does |"),
               std::string::npos)
         << text;
+    EXPECT_NE(text.find("| scene | exact: ms | p99, p99.9 | missed, invented | over pdm |"), std::string::npos);
+    EXPECT_NE(text.find("| orb | 20.0 (20.0) | 1.0e-6, 1.0e-5 | 0, 0 | dt 0.0005: 0.50 (0.60) |\n"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("| pdm dt 0.02 | 10.0 ms; 0.3; 500, 0 | 10.0 ms; 0.3; 500, 0 |"), std::string::npos) << text;
     EXPECT_NE(text.find("- fur: pdm dt 0.00025 was not <measured>"), std::string::npos);
 }
 

@@ -28,6 +28,7 @@ std::set<std::string> needs_of(const Method& method) {
     std::set<std::string> needs;
     if (method.needs_pyramid) needs.insert("min-max pyramid");
     if (method.geometry == GeometryKind::surface_bounds) needs.insert("surface bounds");
+    if (method.geometry == GeometryKind::triangles) needs.insert("micro-triangles");
     for (const MethodParameter& p : method.parameters) {
         if (p.name == "jitter" && p.standard > 0.5) needs.insert("thin-feature jitter");
         if (p.name == "correct_normals" && p.standard > 0.5) needs.insert("normal correction");

@@ -66,6 +66,22 @@ std::vector<const ComparedPoint*> by_method(const Comparison& comparison, const 
     return points;
 }
 
+std::string overview_table(const TextTable& rows) {
+    std::string html;
+    for (const std::vector<std::string>& row : rows) {
+        if (html.empty()) {
+            std::vector<std::string> names;
+            for (const std::string& name : row) names.push_back(escaped(name));
+            html = head(names);
+            continue;
+        }
+        html += "<tr><td class=point>" + escaped(row.front()) + "</td>";
+        for (std::size_t i = 1; i < row.size(); ++i) html += cell(escaped(row[i]));
+        html += "</tr>";
+    }
+    return table(html);
+}
+
 std::string speed_table(const Comparison& comparison) {
     std::string rows;
     for (const ComparedScene& scene : comparison.scenes)

@@ -178,7 +178,10 @@ std::string html_text(const Comparison& c) {
     html += kReading;
     html += "<div class=plots>" + plot_svg(overall_plot(c, PlottedError::p999), false) +
             plot_svg(overall_plot(c, PlottedError::p99), false) + "</div><h3>Speed at equal error</h3>" +
-            speed_table(c) + "</section>\n";
+            speed_table(c) + "<h3>Built at its best: bytes; ms to build; ms after an edit</h3>" +
+            overview_table(built_table(c)) +
+            "<h3>Every setting: frame of primary rays; p99.9; missed, invented</h3>" +
+            overview_table(settings_table(c)) + "</section>\n";
     for (const ComparedScene& s : c.scenes) html += scene_section(c, s);
     return html +
            "</main><footer>All numbers: <a href='results.csv'>results.csv</a>, <a "
