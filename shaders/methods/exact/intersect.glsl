@@ -197,17 +197,21 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
             // A ray that enters on the surface, within rounding, may slide along it, and the neighbour does not know either.
             bool touches = w.side == 0.0f && r.from_side && abs(g.x) <= tolerance;
             if (w.side == 0.0f) w.side = g.x < 0.0f ? -1.0f : 1.0f;
-            root = touches ? min(1e-3f, 0.5f * (end - s)) : 0.0f;  // within the triangle's margin
-            bool crossed = after == 0.0f && (g.x * w.side < 0.0f || touches);  // since the last cell's end
-            found = crossed || first_root(g, after, end - s, root);
-            if (found) break;
-            // The least gap in the cell, at its end or where the quadratic turns.
-            float u = end - s, turn = g.z * w.side > 0.0f ? clamp(-0.5f * g.y / g.z, after, u) : u;
-            float gap = min((g.x + u * (g.y + u * g.z)) * w.side, (g.x + turn * (g.y + turn * g.z)) * w.side);
             // What the path's bend may do to the height over this cell.
             float slopes = max(abs(kx), abs(quad.w - quad.z)) + max(abs(ky), abs(quad.w - quad.y));
             float error = 1.5f * c.bend * slopes * abs(ob.amplitude) + c.error;
-            unsure = unsure || (gap < error && error > sure);
+            // The quadratic lies over the least of its three control points: mostly that is enough.
+            float u = end - s, last = g.x + u * (g.y + u * g.z);
+            if (touches || min(min(g.x * w.side, last * w.side), (g.x + 0.5f * u * g.y) * w.side) <= error) {
+                root = touches ? min(1e-3f, 0.5f * u) : 0.0f;  // within the triangle's margin
+                bool crossed = after == 0.0f && (g.x * w.side < 0.0f || touches);  // since the last cell's end
+                found = crossed || first_root(g, after, u, root);
+                if (found) break;
+                // The least gap in the cell, at its end or where the quadratic turns.
+                float turn = g.z * w.side > 0.0f ? clamp(-0.5f * g.y / g.z, after, u) : u;
+                float gap = min(last * w.side, (g.x + turn * (g.y + turn * g.z)) * w.side);
+                unsure = unsure || (gap < error && error > sure);
+            }
             after = 0.0f;
             s = end;
             if (leave.x < leave.y) {
