@@ -24,6 +24,7 @@ const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this,
 const float kOpenMargin = 0.0f;     // at an edge without neighbour: beyond it stands nothing
 const float kMostEdgeMargin = 1e-3f; // or by more where a far ray's rounding asks for it
 const float kBend = 0.05f;           // texels that the path may leave its chord,
+const float kMostTurn = 0.1f;        // part of its length that it may bend,
 const float kHeightError = 1e-4f;    // how far its height may leave the quadratic, of the amplitude
 const float kFirmBend = 0.25f;       // barycentric: beyond, Newton's steps at a chord's end are not trusted
 const float kSureError = 2e-6f;      // of the amplitude: a chord this true decides every passage;
@@ -34,13 +35,13 @@ const float kThere = 1e-4f;          // of the triangle's size: how far a root's
 const float kRest = 3e-6f;           // of the amplitude: a gap that Newton's steps have closed;
 const float kLastStep = 1e-3f;       // or the last step was shorter than this, in texels and barycentrics
 
-struct Chord {       // the path as s goes from 0 to 1
-    float tau, span; // along the ray
-    vec2 b, db;
-    vec2 tx, d;
-    vec3 h;          // height: constant, linear and square coefficient in s
-    float bend;      // texels that the path may lie beside it
-    float error;     // of the height
+struct Chord {        // the path as s goes from 0 to 1: quadratics in s
+    float tau, span;  // along the ray
+    vec2 b, b1, b2;   // barycentrics: constant, linear and square coefficient
+    vec2 tx, d1, d2;  // texels, likewise
+    vec3 h;           // height, likewise
+    float bend;       // texels that the path may lie beside it
+    float error;      // of the height
 };
 
 struct Walk {
@@ -102,48 +103,53 @@ FUNC void start_chord(Primitive p, Shell shell, PrismRay r, float most_error, fl
     float tau = w.c.tau + w.c.span;
     float reach = kLongestChord / max(max(abs(a.dtx.x), abs(a.dtx.y)), 1e-20f);
     float span = min(min(r.high - tau, reach), w.longest);
-    vec2 off = vec2(0.0f, 0.0f);
-    float error = 0.0f;
+    Chord c;
     for (int k = 0; k < kMaxTries; ++k) {
         w.end = shell_point(p, shell, r, tau + span, a.b + a.db * span, 2);
-        off = abs(w.end.tx - a.tx - a.dtx * span);
-        vec2 off_b = abs(w.end.b - a.b - a.db * span);
-        // The quadratic through both heights and the first slope is off by a cubic that the last slope tells.
-        error = 0.15f * abs((w.end.dh + a.dh) * span - 2.0f * (w.end.h - a.h));
-        float over = max(max(max(off.x, off.y) * (0.5f / kBend), max(off_b.x, off_b.y) * (1.0f / kFirmBend)), error / most_error);
+        c.b1 = a.db * span;
+        c.d1 = a.dtx * span;
+        c.h = vec3(a.h, a.dh * span, w.end.h - a.h - a.dh * span);
+        c.b2 = w.end.b - a.b - c.b1;
+        c.d2 = w.end.tx - a.tx - c.d1;
+        // Quadratics through both ends and the first slope are off by cubics that the last slope tells.
+        vec2 off = abs(w.end.dtx * span - c.d1 - c.d2 * 2.0f);
+        c.bend = 0.15f * max(off.x, off.y);
+        c.error = 0.15f * abs(w.end.dh * span - c.h.y - 2.0f * c.h.z);
+        float turn = max(abs(c.d2.x), abs(c.d2.y)) / (kMostTurn * max(max(abs(c.d1.x), abs(c.d1.y)), 1e-20f));
+        vec2 off_b = abs(c.b2);
+        float over = max(max(max(c.bend * (1.0f / kBend), turn * turn), max(off_b.x, off_b.y) * (1.0f / kFirmBend)),
+                         c.error / most_error);
         if (over <= 1.0f) break;
         span = max(span * (over < 64.0f ? 0.9f * inversesqrt(over) : 0.1f), least_span);  // NaN: the latter
     }
-    Chord c;
     c.tau = tau;
     c.span = span;
     c.b = a.b;
-    c.db = w.end.b - a.b;
     c.tx = a.tx;
-    c.d = w.end.tx - a.tx;
-    c.h = vec3(a.h, a.dh * span, w.end.h - a.h - a.dh * span);
-    c.bend = 0.5f * max(off.x, off.y);
-    c.error = error;
     w.c = c;
     w.longest = 2.0f * span;
     w.s = 0.0f;
 }
 
 FUNC float height_on(Chord c, float s) { return c.h.x + s * (c.h.y + s * c.h.z); }
+FUNC vec2 texel_on(Chord c, float s) { return c.tx + (c.d1 + c.d2 * s) * s; }
+FUNC vec2 barycentrics_on(Chord c, float s) { return c.b + (c.b1 + c.b2 * s) * s; }
 
 // Along the chord until a stretch under which the surface may be: from w.s to `to`, less than two texels. False at the
 // chord's end.
 FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INOUT(Walk) w, OUT(float) to) {
     Chord c = w.c;
     vec2 base = primitive_base(p);
-    float texels = max(max(abs(c.d.x), abs(c.d.y)), 1e-20f);
+    vec2 rate = max(abs(c.d1), abs(c.d1 + c.d2 * 2.0f));
+    float texels = max(max(rate.x, rate.y), 1e-20f);
     to = w.s;
     for (; w.stretches < kMaxStretches && w.s < 1.0f; ++w.stretches) {
         float s = w.s;
         to = min(s + 0.9f * power_of_two(w.level) / texels, 1.0f);
-        vec2 x0 = c.tx + c.d * s, x1 = c.tx + c.d * to;
-        vec2 low = min(x0, x1) - vec2(c.bend + 1e-3f);
-        float h0 = height_on(c, s), h1 = height_on(c, to), sag = 0.25f * (to - s) * (to - s) * abs(c.h.z) + c.error;
+        vec2 x0 = texel_on(c, s), x1 = texel_on(c, to);
+        float part = 0.25f * (to - s) * (to - s);  // a quadratic's square coefficient bends it by this part of itself
+        vec2 low = min(x0, x1) - abs(c.d2) * part - vec2(c.bend + 1e-3f);
+        float h0 = height_on(c, s), h1 = height_on(c, to), sag = abs(c.h.z) * part + c.error;
         note(kNoteStep, r.t0 + c.tau + c.span * s, x0, h0, (to - s) * texels);
         vec2 bounds = map_bounds(p.object, w.level, base + floor(low));
         float d0 = displacement(ob, bounds.x), d1 = displacement(ob, bounds.y);
@@ -169,12 +175,15 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
     vec2 base = primitive_base(p);
     float s = w.s, after = 0.0f, enough = kRest * abs(ob.amplitude) + 0.5f * tolerance;
     unsure = false;
+    // Under the leaf the path is as good as straight.
+    float part = 0.25f * (to - s) * (to - s), bend = max(abs(c.d2.x), abs(c.d2.y)) * part + c.bend;
+    vec2 d = c.d1 + c.d2 * (s + to), tx = c.tx - c.d2 * (s * to);
     // Borders are counted, not found again from the position: on large maps that would round back into the last cell.
-    vec2 x = c.tx + c.d * s, apart = abs(c.d), cell = floor(x);
-    vec2 forward = vec2(c.d.x > 0.0f ? 1.0f : -1.0f, c.d.y > 0.0f ? 1.0f : -1.0f);
+    vec2 x = tx + d * s, apart = abs(d), cell = floor(x);
+    vec2 forward = vec2(d.x > 0.0f ? 1.0f : -1.0f, d.y > 0.0f ? 1.0f : -1.0f);
     vec2 across = vec2(1.0f / max(apart.x, 1e-12f), 1.0f / max(apart.y, 1e-12f));
-    vec2 leave = vec2(apart.x > 1e-12f ? s + (c.d.x > 0.0f ? cell.x + 1.0f - x.x : x.x - cell.x) * across.x : 1e30f,
-                      apart.y > 1e-12f ? s + (c.d.y > 0.0f ? cell.y + 1.0f - x.y : x.y - cell.y) * across.y : 1e30f);
+    vec2 leave = vec2(apart.x > 1e-12f ? s + (d.x > 0.0f ? cell.x + 1.0f - x.x : x.x - cell.x) * across.x : 1e30f,
+                      apart.y > 1e-12f ? s + (d.y > 0.0f ? cell.y + 1.0f - x.y : x.y - cell.y) * across.y : 1e30f);
     hit.t = 0.0f;
     hit.b = vec2(0.0f, 0.0f);
     for (int i = 0; i < 3 * kMaxCells; ++i) {
@@ -189,17 +198,17 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
             float h = height_on(c, s);
             note(kNoteCell, r.t0 + c.tau + c.span * s, cell, h, r.t0 + c.tau + c.span * end);
             // Height over the patch along the chord, from s on.
-            vec2 f = c.tx + c.d * s - cell;
+            vec2 f = tx + d * s - cell;
             float kx = quad.y - quad.x, ky = quad.z - quad.x, kxy = quad.x - quad.y - quad.z + quad.w;
             g = vec3(h - displacement(ob, quad.x + kx * f.x + ky * f.y + kxy * f.x * f.y),
-                     c.h.y + 2.0f * s * c.h.z - ob.amplitude * (kx * c.d.x + ky * c.d.y + kxy * (f.x * c.d.y + f.y * c.d.x)),
-                     c.h.z - ob.amplitude * kxy * c.d.x * c.d.y);
+                     c.h.y + 2.0f * s * c.h.z - ob.amplitude * (kx * d.x + ky * d.y + kxy * (f.x * d.y + f.y * d.x)),
+                     c.h.z - ob.amplitude * kxy * d.x * d.y);
             // A ray that enters on the surface, within rounding, may slide along it, and the neighbour does not know either.
             bool touches = w.side == 0.0f && r.from_side && abs(g.x) <= tolerance;
             if (w.side == 0.0f) w.side = g.x < 0.0f ? -1.0f : 1.0f;
             // What the path's bend may do to the height over this cell.
             float slopes = max(abs(kx), abs(quad.w - quad.z)) + max(abs(ky), abs(quad.w - quad.y));
-            float error = 1.5f * c.bend * slopes * abs(ob.amplitude) + c.error;
+            float error = 1.5f * bend * slopes * abs(ob.amplitude) + c.error;
             // The quadratic lies over the least of its three control points: mostly that is enough.
             float u = end - s, last = g.x + u * (g.y + u * g.z);
             if (touches || min(min(g.x * w.side, last * w.side), (g.x + 0.5f * u * g.y) * w.side) <= error) {
@@ -224,7 +233,7 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
         }
         if (!found || unsure) break;
         float tau = c.tau + c.span * (s + root);
-        vec2 b = c.b + c.db * (s + root);
+        vec2 b = barycentrics_on(c, s + root);
         bool met = polish(p, ob, shell, r, cell, quad, 0.1f * c.span, enough, b, tau);
         note(kNoteRoot, r.t0 + tau, texel_at(p, b), height_on(c, s + root), 0.0f);
         // Beyond the cell's borders other heights hold; where Newton's steps run wild, so do heights.
@@ -303,7 +312,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
             w.side = side;
             w.longest = kRefinement * w.c.span;
             w.c.tau += w.c.span * w.s;
-            w.end = shell_point(p, shell, r, w.c.tau, w.c.b + w.c.db * w.s, 1);
+            w.end = shell_point(p, shell, r, w.c.tau, barycentrics_on(w.c, w.s), 1);
             w.c.span = 0.0f;
             w.s = 1.0f;
         }
