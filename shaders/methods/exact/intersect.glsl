@@ -24,7 +24,7 @@ const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this,
 const float kOpenMargin = 0.0f;     // at an edge without neighbour: beyond it stands nothing
 const float kMostEdgeMargin = 1e-3f; // or by more where a far ray's rounding asks for it
 const float kBend = 0.05f;           // texels that the path may leave its chord,
-const float kMostTurn = 0.1f;        // part of its length that it may bend,
+const float kMostTurn = 0.1f;        // part of its length, or of a texel, that it may bend,
 const float kHeightError = 1e-4f;    // how far its height may leave the quadratic, of the amplitude
 const float kFirmBend = 0.25f;       // barycentric: beyond, Newton's steps at a chord's end are not trusted
 const float kSureError = 2e-6f;      // of the amplitude: a chord this true decides every passage;
@@ -34,6 +34,7 @@ const float kBorder = 2e-4f;         // texels that a polished root may lie outs
 const float kThere = 1e-4f;          // of the triangle's size: how far a root's shell coordinates may lead beside the ray
 const float kRest = 3e-6f;           // of the amplitude: a gap that Newton's steps have closed;
 const float kLastStep = 1e-3f;       // or the last step was shorter than this, in texels and barycentrics
+const float kAtOnce = 0.3f;          // of a closed gap: what a first and only step may leave
 
 struct Chord {        // the path as s goes from 0 to 1: quadratics in s
     float tau, span;  // along the ray
@@ -74,9 +75,11 @@ FUNC bool first_root(vec3 c, float from, float to, OUT(float) root) {
 }
 
 // Newton on S along the ray, in the bilinear patch of one cell, from a root on the chord. False where no root is near.
-// `enough`: a gap to the surface that is closed.
+// `enough`: a gap to the surface that is closed. `bend`: what the path's square coefficients, over one unit of tau, do to
+// that gap.
 FUNC bool polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec4 quad, float reach, float enough,
-                 INOUT(vec2) b, INOUT(float) tau) {
+                 float bend, INOUT(vec2) b, INOUT(float) tau) {
+    float twist = abs(ob.amplitude * (quad.x - quad.y - quad.z + quad.w));
     for (int i = 0; i < 4; ++i) {
         ShellPoint a = shell_point(p, s, r, tau, b, 1);
         vec2 f = a.tx - cell;
@@ -85,13 +88,17 @@ FUNC bool polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec
         float gap = a.h - displacement(ob, bilinear(quad, f));
         float step_back = slope != 0.0f ? clamp(gap / slope, -reach, reach) : 0.0f;
         float rounding = 2e-6f * max(abs(a.tx.x), abs(a.tx.y));
-        bool last = abs(step_back) * max(abs(a.dtx.x), abs(a.dtx.y)) <= kLastStep + rounding &&
+        vec2 moved = abs(a.dtx * step_back), guessed = abs(a.b - b);
+        bool last = max(moved.x, moved.y) <= kLastStep + rounding &&
                     abs(step_back) * max(abs(a.db.x), abs(a.db.y)) <= kLastStep;
         bool closed = abs(gap) <= enough;
-        if (closed && !last) step_back = 0.0f;  // the ray touches: the slope says nothing
+        // A first step so short that the gap it leaves needs no second look.
+        bool at_once = max(guessed.x, guessed.y) <= kLastStep &&
+                       twist * moved.x * moved.y + bend * step_back * step_back <= kAtOnce * enough;
+        if (closed && !last && !at_once) step_back = 0.0f;  // the ray touches: the slope says nothing
         tau -= step_back;
         b = a.b - a.db * step_back;
-        if (i > 0 && (closed || last)) return true;
+        if (at_once || (i > 0 && (closed || last))) return true;
     }
     return false;
 }
@@ -115,7 +122,7 @@ FUNC void start_chord(Primitive p, Shell shell, PrismRay r, float most_error, fl
         vec2 off = abs(w.end.dtx * span - c.d1 - c.d2 * 2.0f);
         c.bend = 0.15f * max(off.x, off.y);
         c.error = 0.15f * abs(w.end.dh * span - c.h.y - 2.0f * c.h.z);
-        float turn = max(abs(c.d2.x), abs(c.d2.y)) / (kMostTurn * max(max(abs(c.d1.x), abs(c.d1.y)), 1e-20f));
+        float turn = max(abs(c.d2.x), abs(c.d2.y)) / (kMostTurn * max(max(abs(c.d1.x), abs(c.d1.y)), 1.0f));
         vec2 off_b = abs(c.b2);
         float over = max(max(max(c.bend * (1.0f / kBend), turn * turn), max(off_b.x, off_b.y) * (1.0f / kFirmBend)),
                          c.error / most_error);
@@ -234,7 +241,10 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
         if (!found || unsure) break;
         float tau = c.tau + c.span * (s + root);
         vec2 b = barycentrics_on(c, s + root);
-        bool met = polish(p, ob, shell, r, cell, quad, 0.1f * c.span, enough, b, tau);
+        float steep = abs(ob.amplitude) * (max(abs(quad.y - quad.x), abs(quad.w - quad.z)) +
+                                           max(abs(quad.z - quad.x), abs(quad.w - quad.y)));
+        float curve = (abs(c.h.z) + max(abs(c.d2.x), abs(c.d2.y)) * steep) / (c.span * c.span);
+        bool met = polish(p, ob, shell, r, cell, quad, 0.1f * c.span, enough, curve, b, tau);
         note(kNoteRoot, r.t0 + tau, texel_at(p, b), height_on(c, s + root), 0.0f);
         // Beyond the cell's borders other heights hold; where Newton's steps run wild, so do heights.
         vec2 place = texel_at(p, b) - cell;
