@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 #include "renderer/stability/float_floor.h"
 #include "renderer/stopwatch.h"
@@ -133,6 +134,14 @@ Cell JudgedCase::run(vulkan::Context& context, const Method& method, TracePath p
         for (std::size_t i = 0; i < case_.views.size(); ++i) run_view(method, renderer, i, cell);
         for (std::size_t i = 0; i < ray_judges_.size(); ++i)
             run_rays(renderer, ray_judges_[i], case_.rays[i].name, cell);
+    } catch (const std::invalid_argument& refusal) {
+        if (promise_of(method.name).may_refuse) {
+            cell.verdict = Verdict::unjudged;
+            cell.note = refusal.what();
+        } else {
+            cell.failures.emplace_back(refusal.what());
+        }
+        return cell;
     } catch (const std::exception& error) {
         cell.failures.push_back(error.what());
         return cell;

@@ -23,11 +23,11 @@ void hold(std::vector<std::string>& failures, const char* what, double value, do
 }  // namespace
 
 Promise promise_of(std::string_view method) {
-    if (method == "exact") return {method, {}, true, false};
-    if (method == "pdm") return {method, {{"dt", 0.001}, {"jitter", 0}}, false, true};
-    if (method == "tessellated") return {method, {{"density", 0.25}}, false, false};
-    if (method == "march") return {method, {{"steps", 2000}}, false, true};
-    return {method, {}, false, false};
+    if (method == "exact") return {.method = method, .right = true};
+    if (method == "pdm") return {.method = method, .parameters = {{"dt", 0.001}, {"jitter", 0}}, .sampled = true};
+    if (method == "tessellated") return {.method = method, .parameters = {{"density", 0.25}}, .may_refuse = true};
+    if (method == "march") return {.method = method, .parameters = {{"steps", 2000}}, .sampled = true};
+    return {.method = method};
 }
 
 std::vector<std::string> right_failures(const ImageComparison& errors) {

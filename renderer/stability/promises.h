@@ -18,6 +18,7 @@ struct Promise {
     std::string_view method;
     std::map<std::string, double> parameters;  // that it is run with; the rest are the registry's defaults
     bool right = false;                        // on every case that float can represent (right_failures)
+    bool may_refuse = false;                   // in words, what would take too much memory
     bool sampled = false;                      // on smooth cases (sampled_failures)
 };
 Promise promise_of(std::string_view method);
