@@ -15,6 +15,7 @@ struct FacePoint {
 
 class MendedMeshes {
   public:
+    // `scene` outlives it.
     explicit MendedMeshes(const Scene& scene);
 
     bool any() const;  // some mesh has a crease below the threshold

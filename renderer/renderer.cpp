@@ -84,7 +84,7 @@ struct Renderer::State {
 
     State(vulkan::Context& c, const Scene& s, const RenderSettings& r)
         : context(c), commands(c), clock(c), scene(s), settings(r), method(&find_method(r.method)),
-          parameters(resolve_parameters(*method, r.parameters)), mended(s) {}
+          parameters(resolve_parameters(*method, r.parameters)), mended(scene) {}
 
     gpu::FrameData& frame_data() { return *frame.as<gpu::FrameData>(); }
     PixelRect whole() const { return {0, 0, film.width(), film.height()}; }
@@ -115,7 +115,13 @@ void Renderer::State::build_scene() {
     const auto density = parameters.find("density");
     request.density = density == parameters.end() ? 0 : density->second;
     features = derive_features(scene, request);
-    gpu_scene.emplace(context, commands, scene, maps, features, mended.traced(features.mended_creases));
+    const std::vector<Mesh> meshes = mended.traced(features.mended_creases);
+    if (features.micro_triangles) {  // may be refused: then what was there must not be gone
+        GpuScene fresh(context, commands, scene, maps, features, meshes);
+        gpu_scene.emplace(std::move(fresh));
+    } else {
+        gpu_scene.emplace(context, commands, scene, maps, features, meshes);
+    }
     request.has_searched = gpu_scene->any_searched();
     features = derive_features(scene, request);
 }
@@ -336,10 +342,19 @@ void Renderer::set_displacement(std::size_t object, double amplitude, double mid
 
 void Renderer::set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights) {
     State& s = *state_;
-    s.scene.objects.at(object).displacement = displacement;
-    s.maps[object] = heights;
+    const Displacement displacement_before = std::exchange(s.scene.objects.at(object).displacement, displacement);
+    const HeightView heights_before = std::exchange(s.maps[object], heights);
     const Features before = s.features;
-    s.build_scene();
+    const FeatureRequest request_before = s.request;
+    try {
+        s.build_scene();
+    } catch (const std::invalid_argument&) {  // refused
+        s.scene.objects[object].displacement = displacement_before;
+        s.maps[object] = heights_before;
+        s.request = request_before;
+        s.features = before;
+        throw;
+    }
     s.write_addresses();
     s.gpu_scene->write_bindings(s.set);
     if (s.features != before) s.make_passes();
@@ -350,14 +365,17 @@ void Renderer::set_heights(std::size_t object, const Displacement& displacement,
 void Renderer::set_method(const std::string& name, const std::map<std::string, double>& parameters) {
     State& s = *state_;
     const Method& method = find_method(name);
-    const Method* const method_before = s.method;
     const auto before = std::exchange(s.parameters, resolve_parameters(method, parameters));
-    if (&method != method_before || built_by(method, before) != built_by(method, s.parameters)) {
+    if (&method != s.method || built_by(method, before) != built_by(method, s.parameters)) {
+        const FeatureRequest request_before = s.request;
+        const Features features_before = s.features;
         try {
             s.rebuild_for(method);
-        } catch (const std::invalid_argument&) {  // refused: what was there comes back
+        } catch (const std::invalid_argument&) {  // refused
             s.parameters = before;
-            s.rebuild_for(*method_before);
+            s.request = request_before;
+            s.method = request_before.method;
+            s.features = features_before;
             throw;
         }
     }

@@ -116,6 +116,8 @@ class Renderer {
     void set_displacement(std::size_t object, double amplitude, double midlevel);  // new bounds for all triangles
     // Other heights for an object: another map, an exemplar, or the same one otherwise read. Makes the device's scene anew.
     void set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights);
+    // std::invalid_argument where the method refuses what it would have to build (too many micro-triangles); then all
+    // stays as it was. The same holds for set_heights.
     void set_method(const std::string& name, const std::map<std::string, double>& parameters);
     void resize(int width, int height);
     void restart();                        // forget all samples

@@ -22,6 +22,7 @@ TEST_P(Notes, CountingChangesNoLayerAndCountsWhatIsHit) {
         if (!std::isfinite(plain[i])) continue;
         ASSERT_GE(counts[4 * i], 1) << "boxes of pixel " << i;
         ASSERT_GE(counts[4 * i + 1] + counts[4 * i + 3], 1) << "steps and cells of pixel " << i;
+        if (find_method(GetParam()).geometry == GeometryKind::triangles) continue;  // they were fetched when they were made
         ASSERT_GE(counts[4 * i + 2], 1) << "fetches of pixel " << i;
     }
 }

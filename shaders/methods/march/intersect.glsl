@@ -13,7 +13,7 @@
 //
 // Parameters: x: steps (a bounding sphere's diameter), y: correct_normals (0 or 1).
 const uint kMaxSteps = 16384u;        // a path is cut into at most this many
-const float kSharedMargin = 1e-4f;    // barycentric: neighbours overlap by this,
+const float kSharedMargin = 1e-5f;    // barycentric: neighbours overlap by this (more would leave the triangles' boxes),
 const float kOpenMargin = 2e-7f;      // but nothing stands beyond an edge without neighbour
 const float kMostResidual = 1e-3f;    // of the triangle's size: how far off its place a sample may be that counts
 
