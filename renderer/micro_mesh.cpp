@@ -43,7 +43,7 @@ MicroMesh::MicroMesh(const Mesh& mesh, const TexelAt& texel_at, double density) 
         for (std::size_t i = 0; i < 3; ++i) {
             const dvec2 a = texel_at(mesh.uvs[f.uv[(i + 1) % 3]]), b = texel_at(mesh.uvs[f.uv[(i + 2) % 3]]);
             std::uint32_t& most = segments[edge_of(f, i)];
-            most = std::max(most, segments_for(glm::length(b - a), density));
+            most = std::max(most, segments_for(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)), density));
         }
     for (const Mesh::Face& f : mesh.faces) {
         std::array<std::uint32_t, 3> edges{};

@@ -16,9 +16,9 @@ namespace relievo {
 constexpr std::uint64_t kMostMicroTriangles = 1u << 22;
 
 // How one object's mesh is divided. Every edge has a number of segments that follows from its length in
-// texels, the longer of the two where its sides differ; a triangle is divided like its finest edge, and
-// corners on a coarser edge stand on the nearest of that edge's own, so that neighbours share all corners and
-// nothing is open between them.
+// texels along u or v, the longer of the two where its sides differ; a triangle is divided like its finest
+// edge, and corners on a coarser edge stand on the nearest of that edge's own, so that neighbours share all
+// corners and nothing is open between them.
 class MicroMesh {
   public:
     using TexelAt = std::function<glm::dvec2(const glm::dvec2& uv)>;     // texel coordinates
