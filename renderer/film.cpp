@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <stdexcept>
+#include <string>
 
 namespace relievo {
 namespace {
 
+constexpr VkDeviceSize kPixelBytes = 16;  // of the largest buffers that hold a whole image
+static_assert(sizeof(glm::vec4) == kPixelBytes && sizeof(glm::uvec4) == kPixelBytes);
 constexpr VkBufferUsageFlags kSums =
     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 
@@ -23,6 +27,16 @@ vulkan::Buffer download(vulkan::Context& context, vulkan::Commands& commands, co
 }
 
 }  // namespace
+
+void Film::check_size(const vulkan::Context& context, int width, int height) {
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(context.physical_device(), &properties);
+    const VkDeviceSize most = properties.limits.maxStorageBufferRange / kPixelBytes;
+    if (static_cast<VkDeviceSize>(width) * static_cast<VkDeviceSize>(height) <= most) return;
+    throw std::invalid_argument(std::string("an image of ") + std::to_string(width) + " x " + std::to_string(height) +
+                                ": the device's largest buffer takes " + std::to_string(most) +
+                                " pixels (4096 x " + std::to_string(most / 4096) + ")");
+}
 
 Film::Film(vulkan::Context& context, vulkan::Commands& commands, int width, int height)
     : width_(width), height_(height) {
@@ -85,7 +99,7 @@ void Film::keep_aov(const PixelRect& window) {
 void Film::make_ray_counts(vulkan::Context& context) {
     if (has_ray_counts()) return;
     const auto pixels = static_cast<VkDeviceSize>(width_) * static_cast<VkDeviceSize>(height_);
-    ray_counts_ = vulkan::Buffer(context, pixels * sizeof(glm::uvec4) + 64,
+    ray_counts_ = vulkan::Buffer(context, std::max<VkDeviceSize>(pixels * sizeof(glm::uvec4), 80),
                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                  vulkan::Access::host);
 }

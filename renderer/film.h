@@ -15,6 +15,8 @@ class Film {
   public:
     Film() = default;
     Film(vulkan::Context& context, vulkan::Commands& commands, int width, int height);
+    // Throws std::invalid_argument when the device's largest buffer does not hold the image.
+    static void check_size(const vulkan::Context& context, int width, int height);
 
     int width() const { return width_; }
     int height() const { return height_; }

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <glm/geometric.hpp>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -17,6 +16,7 @@
 #include "renderer/gpu_scene.h"
 #include "renderer/mended_meshes.h"
 #include "renderer/methods/registry.h"
+#include "renderer/single_rays.h"
 #include "renderer/stopwatch.h"
 #include "renderer/view.h"
 #include "renderer/vulkan/device_clock.h"
@@ -26,9 +26,6 @@
 namespace relievo {
 namespace {
 
-constexpr std::size_t kPickBatch = 256;  // rays a dispatch
-constexpr std::size_t kNotesHead = 16;    // the number of notes, before them
-constexpr std::size_t kNotesBytes = kNotesHead + gpu::kMaxNotes * sizeof(gpu::Note);
 constexpr double kLeastRayOffset = 1e-4;  // of an object's radius
 
 void check_size(const vulkan::Context& context, int width, int height, const char* what) {
@@ -72,7 +69,8 @@ struct Renderer::State {
     Features features;
     std::optional<GpuScene> gpu_scene;
     Film film;
-    vulkan::Buffer frame, pick_rays, pick_results, notes;
+    vulkan::Buffer frame;
+    SingleRays single_rays;
     vulkan::SetLayoutHandle set_layout;
     vulkan::DescriptorPoolHandle pool;
     VkDescriptorSet set = VK_NULL_HANDLE;
@@ -100,12 +98,9 @@ struct Renderer::State {
     void make_passes();
     void follow_search();
     void apply_parameters();
-    void write_own_bindings();
+    void write_own_bindings() const;
     void run(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
     void run_unjittered(vulkan::Pass pass, const gpu::PushData& push, int width, int height);
-    void make_pick_buffers();  // at the first pick
-    bool has_pick_buffers() const { return pick_rays.bytes() >= kPickBatch * sizeof(gpu::PickRay); }
-    bool has_notes() const { return notes.bytes() >= kNotesBytes; }
     void count_bytes();
     void restart();
 };
@@ -140,8 +135,7 @@ void Renderer::State::build() {
     build_scene();
     film = Film(context, commands, settings.width, settings.height);
     frame = vulkan::Buffer(context, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Access::host);
-    for (vulkan::Buffer* buffer : {&pick_rays, &pick_results, &notes})
-        *buffer = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
+    single_rays = SingleRays(context);
     frame_data() = {};
     frame_data().object_count = static_cast<std::uint32_t>(scene.objects.size());
     fill_view(frame_data(), scene.camera, scene.origin, settings.width, settings.height);
@@ -150,16 +144,6 @@ void Renderer::State::build() {
     make_set();
     make_passes();
     apply_parameters();
-}
-
-void Renderer::State::make_pick_buffers() {
-    if (has_pick_buffers()) return;
-    const auto make = [&](std::size_t item) {
-        return vulkan::Buffer(context, kPickBatch * item, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
-    };
-    pick_rays = make(sizeof(gpu::PickRay));
-    pick_results = make(sizeof(gpu::PickResult));
-    write_own_bindings();
 }
 
 void Renderer::State::write_addresses() {
@@ -181,23 +165,17 @@ void Renderer::State::make_set() {
     write_own_bindings();
 }
 
-void Renderer::State::write_own_bindings() {
-    const std::array<VkDescriptorBufferInfo, 4> buffers{VkDescriptorBufferInfo{frame.get(), 0, VK_WHOLE_SIZE},
-                                                        VkDescriptorBufferInfo{pick_rays.get(), 0, VK_WHOLE_SIZE},
-                                                        VkDescriptorBufferInfo{pick_results.get(), 0, VK_WHOLE_SIZE},
-                                                        VkDescriptorBufferInfo{notes.get(), 0, VK_WHOLE_SIZE}};
-    const std::array<std::uint32_t, 4> bindings{gpu::kBindFrame, gpu::kBindPickRays, gpu::kBindPickResults,
-                                                gpu::kBindNotes};
-    std::array<VkWriteDescriptorSet, 4> writes{};
-    for (std::size_t i = 0; i < writes.size(); ++i) {
-        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-        writes[i].dstSet = set;
-        writes[i].dstBinding = bindings[i];
-        writes[i].descriptorCount = 1;
-        writes[i].descriptorType = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-        writes[i].pBufferInfo = &buffers[i];
-    }
-    vkUpdateDescriptorSets(context.device(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
+void Renderer::State::write_own_bindings() const {
+    const VkDescriptorBufferInfo buffer{frame.get(), 0, VK_WHOLE_SIZE};
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.dstBinding = gpu::kBindFrame;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    write.pBufferInfo = &buffer;
+    vkUpdateDescriptorSets(context.device(), 1, &write, 0, nullptr);
+    single_rays.write_bindings(context.device(), set);
 }
 
 void Renderer::State::make_passes() {
@@ -275,9 +253,9 @@ void Renderer::State::count_bytes() {
             f.bytes = bytes;
         };
         on_demand("layers", film.has_aov(), "layers were asked for", film.aov_bytes());
-        on_demand("picking", has_pick_buffers(), "rays were picked", pick_rays.bytes() + pick_results.bytes());
+        on_demand("picking", single_rays.has_picks(), "rays were picked", single_rays.pick_bytes());
         on_demand("counters", film.has_ray_counts(), "counts were asked for", film.ray_counts_bytes());
-        on_demand("ray log", has_notes(), "a ray was logged", notes.bytes());
+        on_demand("ray log", single_rays.has_notes(), "a ray was logged", single_rays.note_bytes());
         on_demand("upload staging", gpu_scene->staging_bytes() > 0, "the map was edited", gpu_scene->staging_bytes());
         report.bytes_total += f.bytes;
     }
@@ -288,6 +266,7 @@ Renderer::Renderer(vulkan::Context& context, const Scene& scene, std::span<const
     : state_(std::make_unique<State>(context, scene, settings)) {
     if (maps.size() != scene.objects.size()) throw std::logic_error("one map per object");
     check_size(context, settings.width, settings.height, "an image");
+    Film::check_size(context, settings.width, settings.height);
     for (const HeightView& map : maps) check_size(context, map.width, map.height, "a map");
     state_->maps.assign(maps.begin(), maps.end());
     state_->build();
@@ -386,6 +365,7 @@ void Renderer::set_method(const std::string& name, const std::map<std::string, d
 void Renderer::resize(int width, int height) {
     State& s = *state_;
     check_size(s.context, width, height, "an image");
+    Film::check_size(s.context, width, height);
     s.settings.width = width;
     s.settings.height = height;
     s.film = Film(s.context, s.commands, width, height);
@@ -483,57 +463,27 @@ std::vector<std::uint8_t> Renderer::read_back_display() {
 std::vector<PickHit> Renderer::pick(std::span<const Ray> rays) {
     State& s = *state_;
     std::vector<PickHit> hits(rays.size());
-    if (!rays.empty()) s.make_pick_buffers();
-    for (std::size_t first = 0; first < rays.size(); first += kPickBatch) {
-        const std::size_t count = std::min(kPickBatch, rays.size() - first);
-        auto* to = s.pick_rays.as<gpu::PickRay>();
-        for (std::size_t i = 0; i < count; ++i)
-            to[i] = {rays[first + i].origin, 1e30f, glm::normalize(rays[first + i].direction), 0};
+    if (!rays.empty() && s.single_rays.make_picks(s.context)) s.write_own_bindings();
+    for (std::size_t first = 0; first < rays.size(); first += SingleRays::kBatch) {
+        const std::size_t count = std::min(SingleRays::kBatch, rays.size() - first);
+        s.single_rays.put(rays.subspan(first, count));
         gpu::PushData push{};
         push.ray_count = static_cast<std::uint32_t>(count);
         s.run_unjittered(vulkan::Pass::pick, push, static_cast<int>(count), 1);
-        const auto* from = s.pick_results.as<gpu::PickResult>();
-        for (std::size_t i = 0; i < count; ++i) {
-            PickHit& hit = hits[first + i];
-            hit.hit = from[i].t >= 0;
-            if (!hit.hit) continue;
-            hit.object = from[i].object;
-            const FacePoint base = s.mended.on_base(from[i].object, {from[i].face, from[i].b1, from[i].b2});
-            hit.face = base.face;
-            hit.b1 = base.b1;
-            hit.b2 = base.b2;
-            hit.distance = from[i].t;
-            hit.normal = from[i].normal;
-            hit.position = to[i].origin + to[i].direction * from[i].t;
-        }
+        s.single_rays.take(s.mended, std::span(hits).subspan(first, count));
     }
     return hits;
 }
 
 TraceLog Renderer::trace_notes(const Ray& ray) {
     State& s = *state_;
-    s.make_pick_buffers();
-    if (!s.has_notes()) {
-        s.notes = vulkan::Buffer(s.context, kNotesBytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
-        s.write_own_bindings();
-    }
-    auto* count = s.notes.as<std::uint32_t>();
-    *count = 0;
-    *s.pick_rays.as<gpu::PickRay>() = {ray.origin, 1e30f, glm::normalize(ray.direction), 0};
+    const bool picks_made = s.single_rays.make_picks(s.context), notes_made = s.single_rays.make_notes(s.context);
+    if (picks_made || notes_made) s.write_own_bindings();
+    s.single_rays.put({&ray, 1});
     gpu::PushData push{};
     push.ray_count = 1;
     s.run_unjittered(vulkan::Pass::notes, push, 1, 1);
-    const std::uint32_t kept = std::min(*count, gpu::kMaxNotes);
-    const auto* first = reinterpret_cast<const gpu::Note*>(s.notes.as<std::uint8_t>() + kNotesHead);
-    TraceLog log;
-    log.left_out = *count - kept;
-    for (const gpu::Note& n : std::span(first, kept)) {
-        const PrimitiveId id = s.gpu_scene->primitive_id(n.primitive);
-        log.notes.push_back({static_cast<TraceNote::Kind>(n.kind), id.object, id.face, n.t, n.height, n.texel, n.extent});
-    }
-    log.distance = s.pick_results.as<gpu::PickResult>()->t;
-    log.hit = log.distance >= 0;
-    return log;
+    return s.single_rays.log(*s.gpu_scene);
 }
 
 Ray Renderer::camera_ray(double x_px, double y_px) const { return ray_through(state_->frame_data(), x_px, y_px); }

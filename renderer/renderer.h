@@ -99,7 +99,7 @@ struct Ray {
 class Renderer {
   public:
     // One HeightView per scene object. Throws std::runtime_error on Vulkan failures, std::invalid_argument on a
-    // method or parameter that the registry does not know, or a map larger than the device takes.
+    // method or parameter that the registry does not know, or a map or an image larger than the device takes.
     Renderer(vulkan::Context& context, const Scene& scene, std::span<const HeightView> maps,
              const RenderSettings& settings);
     ~Renderer();

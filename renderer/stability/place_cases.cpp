@@ -21,6 +21,15 @@ Case three_objects() {
     return c;
 }
 
+// Amplitude 0 among others, so far away that the flat triangles' prisms are thinner than the rays' rounding.
+Case flat_among_others() {
+    Case c = on_plane(0.1, 0.5, dunes_map(64, 64));
+    c.objects.push_back(shifted(on_ball(0, 0.5, ball_dunes_map(128, 64)).objects[0], {2.5f, 0.5f, 0}));
+    c.objects.push_back(shifted(on_ball(0.1, 0.5, ball_dunes_map(128, 64)).objects[0], {0.5f, 2.5f, 0}));
+    c.views = {{"from outside", {-3, -2, 5}, {1.2, 1.2, 0}}, {"from afar", {-9, -7, 12}, {1.2, 1.2, 0}}};
+    return c;
+}
+
 }  // namespace
 
 std::vector<CaseEntry> place_cases() {
@@ -51,6 +60,8 @@ std::vector<CaseEntry> place_cases() {
         return on_mesh(transformed(ball_mesh(32, 16), m), ball_views(), 0.1, 0.5, ball_dunes_map(128, 64));
     });
     add("several_objects", "a plane, a ball and a lump with maps and amplitudes of their own", three_objects);
+    add("flat_among_others", "amplitude 0 on one of three objects, seen from afar",
+        [] { return smooth(flat_among_others()); });
     return list;
 }
 

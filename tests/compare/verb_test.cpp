@@ -109,6 +109,7 @@ TEST_F(CompareVerb, JudgesTheMethodsThatAreAskedForTheFirstFirst) {
     const Outcome outcome = run_program({"compare", scene_, "-o", path("report"), "--budget", "6", "--size",
                                          "32x32", "--methods", "exact", "--json"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("--budget"), std::string::npos) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(json["methods"], nlohmann::json({"exact"}));
     ASSERT_EQ(json["scenes"][0]["points"].size(), 1u);
@@ -116,6 +117,17 @@ TEST_F(CompareVerb, JudgesTheMethodsThatAreAskedForTheFirstFirst) {
     EXPECT_EQ(errors["missed"], 0);
     EXPECT_LE(errors["depth"]["p99"], 1e-4);
     EXPECT_LE(json["scenes"][0]["points"][0]["edge_gap"]["gap"]["max"], 1e-4);
+}
+
+TEST_F(CompareVerb, SaysAtTheStartThatABudgetIsTooSmallToBeKept) {
+    if (!test::have_device()) GTEST_SKIP() << "no Vulkan device";
+    const Outcome outcome = run_program(
+        {"compare", scene_, "-o", path("report"), "--budget", "1", "--size", "16x16", "--methods", "exact"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(
+        outcome.err.find("--budget: every method is measured once on every scene, which takes about 5 s"),
+        std::string::npos)
+        << outcome.err;
 }
 
 TEST_F(CompareVerb, ShowsTheSampledMethodsGapAtEveryStepAndNoneOfTheExactOne) {
@@ -156,7 +168,8 @@ TEST_F(CompareVerb, BadInputIsOneLine) {
 
 TEST_F(CompareVerb, JudgesExtremeCases) {
     expect_refused({"compare", "-o", path("report")}, "SCENE: is required, or --stability");
-    expect_refused({"compare", scene_, "-o", path("report"), "--cases", "dunes"}, "--cases: goes with --stability");
+    expect_refused({"compare", scene_, "-o", path("report"), "--cases", "dunes"},
+                   "--cases: goes with --stability");
     expect_refused({"compare", scene_, "-o", path("report"), "--stability"}, "does not go with --stability");
     expect_refused({"compare", "-o", path("report"), "--stability", "--cases", "quicksand"}, "--cases: ");
     if (!test::have_device()) GTEST_SKIP() << "no Vulkan device";

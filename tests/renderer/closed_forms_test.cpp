@@ -49,5 +49,21 @@ TEST(Settings, UnknownMethodAndBadParametersAreRefused) {
     EXPECT_THROW(make_renderer(scene, map, s), std::invalid_argument);
 }
 
+TEST(Settings, ImagesBeyondTheDevicesLargestBufferAreRefusedAndTheOldOneStays) {
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(device().physical_device(), &properties);
+    const int side = static_cast<int>(properties.limits.maxImageDimension2D);
+    if (properties.limits.maxStorageBufferRange / 16 >= static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side))
+        GTEST_SKIP() << "the device takes all images";
+    const Scene scene = make_scene(plane_mesh(), 0.2);
+    const TestMap map = bumps(16);
+    RenderSettings s = settings_of(scene);
+    Renderer r = make_renderer(scene, map, s);
+    EXPECT_THROW(r.resize(side, side), std::invalid_argument);
+    EXPECT_EQ(r.read_back(Layer::depth).size(), static_cast<std::size_t>(s.width) * static_cast<std::size_t>(s.height));
+    s.width = s.height = side;
+    EXPECT_THROW(make_renderer(scene, map, s), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace relievo::test

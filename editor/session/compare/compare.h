@@ -35,6 +35,10 @@ struct CompareListener {
 // "exact,pdm" to names of the registry, each once. Throws std::invalid_argument naming --methods.
 std::vector<std::string> parse_methods(const std::string& list);
 
+// About what it takes at least, however small the budget: every method is compiled and measured once on every
+// scene.
+double least_seconds(const CompareOptions& options);
+
 // Measures, and writes the folder (report.h), afresh after every scene: what is there is whole even if the
 // run is ended. Throws std::invalid_argument on bad input, before anything is measured, std::runtime_error
 // when Vulkan fails.
