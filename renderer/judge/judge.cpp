@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
@@ -126,14 +127,31 @@ bool Judge::agrees(std::uint32_t object, double reference, double method) const 
 
 bool Judge::explained(const ReferenceSurface& surface, int x, int y, double method) const {
     constexpr double kRadii[] = {2e-5, 2e-4, 7e-4, 2e-3};  // pixels
+    constexpr double kUlp = 0x1p-23;                       // of a float, of its value at most
+    const auto answers = [&](const dvec3& origin, const dvec3& direction) {
+        const auto hit = surface.first_hit(origin, direction, 0, std::numeric_limits<double>::infinity());
+        return agrees(hit ? hit->object + 1 : 0, hit ? hit->t : 0, method);
+    };
     for (int k = 0; k < 32; ++k) {
         const double radius = kRadii[k / 8], angle = k * 0.7853981633974483 + 0.3;
         const ReferenceRay ray =
             reference_camera_ray(camera_, origin_, image_.width, image_.height,
                                  x + 0.5 + radius * std::cos(angle), y + 0.5 + radius * std::sin(angle));
-        const auto hit =
-            surface.first_hit(ray.origin, ray.direction, 0, std::numeric_limits<double>::infinity());
-        if (agrees(hit ? hit->object + 1 : 0, hit ? hit->t : 0, method)) return true;
+        if (answers(ray.origin, ray.direction)) return true;
+    }
+    // The eye and the places met are floats: very near to the surface their rounding is more than that.
+    const ReferenceRay ray =
+        reference_camera_ray(camera_, origin_, image_.width, image_.height, x + 0.5, y + 0.5);
+    const dvec3 eye = glm::abs(ray.origin);
+    const double reach =
+        std::isfinite(method)
+            ? method
+            : image_.depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) +
+                           static_cast<std::size_t>(x)];
+    const double rounding = kUlp * (std::max({eye.x, eye.y, eye.z}) + (std::isfinite(reach) ? reach : 0));
+    for (int k = 0; k < 8; ++k) {
+        const dvec3 corner(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+        if (answers(ray.origin + corner * rounding, ray.direction)) return true;
     }
     return false;
 }

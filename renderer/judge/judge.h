@@ -26,8 +26,9 @@ class Judge {
 
     // Counts, into `result`, the pixels (at silhouettes as well) where the method missed, invented or is off
     // by more than a hundredth of the unit, and none of the reference's rays within 2e-3 pixels of the centre
-    // gives the method's answer: rounding of the ray cannot excuse them. When more than `most` pixels are
-    // wrong, as many of them spread over the image are examined, and the count is scaled up.
+    // or from eyes a float's last place beside it gives the method's answer: rounding cannot excuse them.
+    // When more than `most` pixels are wrong, as many of them spread over the image are examined, and the
+    // count is scaled up.
     void count_unexplained(const ReferenceSurface& surface, std::span<const float> depth,
                            ImageComparison& result, int most = 1 << 30) const;
 

@@ -150,6 +150,29 @@ TEST_F(JudgeOfTwoSquares, ErrorMapMarksEveryPixel) {
     EXPECT_EQ(errors[pixel(0, 0)].kind, Kind::nothing);
 }
 
+// One pixel over the border of a square, from so near that turning the ray moves it less than floats can
+// tell.
+int unexplained_beyond_the_border(double beyond) {
+    SampleSurface square;
+    square.mesh = plane_mesh();
+    square.amplitude = 0;
+    const ReferenceObject object = square.object();
+    const ReferenceSurface surface({&object, 1});
+    const Camera camera{{1 + beyond, 0.5, 1e-5}, {1 + beyond, 0.5, 0}, {0, 1, 0}, 45};
+    const ErrorUnit unit = error_unit(square.amplitude, square.mesh);
+    const Judge judge(trace_image(surface, camera, glm::dvec3(0), 1, 1), camera, glm::dvec3(0), {&unit, 1});
+    EXPECT_FALSE(std::isfinite(judge.image().depth[0]));
+    const float method = 1e-5f;
+    ImageComparison result;
+    judge.count_unexplained(surface, {&method, 1}, result);
+    return result.unexplained;
+}
+
+TEST(JudgeNearTheSurface, WhatTheEyesOwnRoundingMovesIsExplainedAndNoMore) {
+    EXPECT_EQ(unexplained_beyond_the_border(5e-8), 0);
+    EXPECT_EQ(unexplained_beyond_the_border(3e-7), 1);
+}
+
 TEST(ErrorUnits, WithoutAmplitudeTheRadiusServes) {
     const Mesh mesh = plane_mesh();
     EXPECT_EQ(error_unit(-0.3, mesh).length, 0.3);
