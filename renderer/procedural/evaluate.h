@@ -1,4 +1,4 @@
-// shaders/geometry/procedural.glsl as C++: in double for the processor (namespace procedural_double), and in
+// shaders/geometry/procedural.glsl and triforce.glsl as C++: in double for the processor (namespace procedural_double), and in
 // float, the arithmetic that ships to the device (procedural_float).
 #pragma once
 
@@ -52,6 +52,7 @@ using vec4 = glm::dvec4;
 
 #undef RELIEVO_HASH_GLSL
 #undef RELIEVO_PROCEDURAL_GLSL
+#undef RELIEVO_TRIFORCE_GLSL
 
 namespace relievo::procedural_float {
 using real = float;

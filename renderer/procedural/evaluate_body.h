@@ -1,7 +1,9 @@
 // The inside of evaluate.h, for one precision: what procedural.glsl asks of its including side, then itself.
 // No guard.
+using glm::abs;
 using glm::clamp;
 using glm::dot;
+using glm::findMSB;
 using glm::floor;
 using glm::ivec2;
 using glm::max;
@@ -12,6 +14,7 @@ using glm::umulExtended;
 using glm::uvec2;
 using glm::uvec3;
 using gpu::kInverseSize;
+using gpu::kPyramidLevels;
 using gpu::ProceduralData;
 using uint = std::uint32_t;
 using Source = const ExemplarView&;
@@ -51,3 +54,4 @@ inline vec2 inverse_pair(Source e, int i) {
 #include "shaders/geometry/macros.glsl"
 #include "shaders/geometry/hash.glsl"
 #include "shaders/geometry/procedural.glsl"
+#include "shaders/geometry/triforce.glsl"

@@ -45,3 +45,4 @@ vec2 inverse_pair(uint object, int i) {
 }
 
 #include "../geometry/procedural.glsl"
+#include "../geometry/triforce.glsl"
