@@ -116,7 +116,7 @@ FUNC vec2 triforce_bounds(Source object, ProceduralData data, LatticeMap m, ivec
     int needed = max(reach.x, reach.y), level = needed <= 3 ? 1 : findMSB(needed - 2) + 1;
     if (level > kPyramidLevels) return vec2(real(data.range.x), real(data.range.y));
     ivec2 home = exemplar_home(object, m.texel + first);
-    vec3 low, high;
+    vec3 low = vec3(0.0f), high = vec3(0.0f);
     for (int i = 0; i < 3; ++i) {
         ivec2 shift = vertex_shift(object, data.seed, lattice_vertex(m.square + square, beyond, i));
         vec2 range = exemplar_bounds(object, home, shift, ivec2((1 << level) + 1));

@@ -93,6 +93,9 @@ vec2 uv_at(Primitive p, vec2 b) {
 // World units that a pixel is wide at distance 1.
 float pixel_spread() { return 2.0 * length(frame.right) / float(frame.size.x); }
 
+// The method's fifth parameter.
+float fifth_parameter() { return frame.parameters1.x; }
+
 // Under 0.5 the surface has a hole.
 bool opaque_at(Primitive p, vec2 b) {
     if (!kOpacity) return true;

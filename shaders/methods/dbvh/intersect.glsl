@@ -71,9 +71,10 @@ struct Walk {        // where the walk through a triangle's squares is
     ivec2 mirror;    // -1 where the order along an axis is turned round
 };
 
-FUNC Walk start_walk(Primitive p, Domain g, vec3 d, int leaf_level) {
+// `base`: the whole place that the domain's coordinates are relative to.
+FUNC Walk start_walk(vec2 base, Domain g, vec3 d, int leaf_level) {
     Walk w;
-    vec2 extent = g.high - g.low, base = primitive_base(p), first = base + floor(g.t0 + g.low);  // whole: exact
+    vec2 extent = g.high - g.low, first = base + floor(g.t0 + g.low);  // whole: exact
     int root = max(int(ceil(log2(max(max(extent.x, extent.y), 1.0f)))), leaf_level);
     float size = power_of_two(root);
     w.at = ivec2(0, 0);
@@ -136,6 +137,25 @@ FUNC void take_hit(Primitive p, vec2 b, float t, INOUT(bool) found, INOUT(Surfac
     found = true;
 }
 
+// Meets a box; a ray that starts in it leaves it.
+FUNC void take_box(Primitive p, Domain g, vec2 middle, DbvhRay r, float entry, INOUT(bool) found, INOUT(SurfaceHit) hit) {
+    vec2 b = max(barycentrics_at(g, middle), vec2(0.0f));
+    if (r.t0 + entry >= r.t_min) take_hit(p, b / max(b.x + b.y, 1.0f), r.t0 + entry, found, hit);
+}
+
+FUNC float edge_slack(DbvhRay r) { return 2.0f * max(r.margin.x, max(r.margin.y, r.margin.z)) + 2e-6f; }
+
+// World units: what the normal's turning adds to S over a leaf, to second order. A triangle's plane goes on beyond it by as
+// much as its heights differ.
+FUNC float leaf_bend(DisplacedBox box, vec2 heights, bool plane) {
+    float differ = (heights.y - heights.x) * (plane ? 2.0f : 1.0f);
+    return 0.5f * box.turn * (differ + 0.5f * box.turn * max(abs(heights.x), abs(heights.y)));
+}
+
+#ifndef __cplusplus  // needs a source
+#include "lattice.glsl"
+#endif
+
 // Meets the leaf's pieces over the rectangle. False where there may be a hit that was not found.
 FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, float leaf, vec2 square, float stride, vec2 middle,
                     vec2 half_size, float bend, bool last, INOUT(bool) found, INOUT(SurfaceHit) hit) {
@@ -174,13 +194,17 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     r.d = in_frame(p, d);
     r.inverse = vec3(1.0f) / vec3(abs(r.d.x) < 1e-20f ? 1e-20f : r.d.x, abs(r.d.y) < 1e-20f ? 1e-20f : r.d.y,
                                   abs(r.d.z) < 1e-20f ? 1e-20f : r.d.z);
+    hit.t = t_max;
+    hit.b = vec2(0.0f, 0.0f);
+#ifndef __cplusplus
+    int log_range = log_range_of(fifth_parameter());
+    if (log_range > 0 && is_procedural(p.object)) return intersect_lattice(p, ob, leaf, log_range, pixel, r, hit);
+#endif
     Domain g = make_domain(p, primitive_normals(), most, r.rounding);
-    Walk w = start_walk(p, g, r.d, leaf_level);
+    Walk w = start_walk(primitive_base(p), g, r.d, leaf_level);
     int lowest = max(leaf_level - kSubLevels, w.top - kMostDepth);
     float least = kLeastBox * most + 2.0f * g.margin;
     bool found = false, down = true;
-    hit.t = t_max;
-    hit.b = vec2(0.0f, 0.0f);
     for (int i = 0; i < kMaxBoxes; ++i) {
         if (down) go_down(w);
         else if (!go_next(w)) break;
@@ -190,7 +214,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         vec2 low = max(square - g.t0, g.low), high = min(square - g.t0 + vec2(size), g.high);
         if (!(low.x <= high.x && low.y <= high.y)) continue;
         vec2 middle = 0.5f * (low + high), half_size = 0.5f * (high - low);
-        if (outside_triangle(g, middle, half_size, 2.0f * r.margin.x + 2e-6f)) continue;
+        if (outside_triangle(g, middle, half_size, edge_slack(r))) continue;
         vec2 of_leaf = w.level < leaf_level ? leaf_square(w, leaf_level) : square;
         bool by_pieces = w.level < leaf_level || (w.level == leaf_level && leaf != kLeafBspline);
         vec2 values = by_pieces ? leaf_values(p, leaf, of_leaf, stride, (g.t0 + low - of_leaf) / stride, (g.t0 + high - of_leaf) / stride)
@@ -202,10 +226,9 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         if (!(span.x <= span.y && r.t0 + span.y >= t_min && r.t0 + span.x <= hit.t)) continue;
         vec3 extent = box.high - box.low;
         float largest = max(max(extent.x, extent.y), extent.z);
-        // Below a pixel, or by choice, the box is the surface; a ray that starts in it leaves it.
+        // Below a pixel, or by choice, the box is the surface.
         if ((w.level <= leaf_level && leaf == kLeafBox) || largest <= pixel * (r.t0 + span.x)) {
-            vec2 b = max(barycentrics_at(g, middle), vec2(0.0f));
-            if (r.t0 + span.x >= t_min) take_hit(p, b / max(b.x + b.y, 1.0f), r.t0 + span.x, found, hit);
+            take_box(p, g, middle, r, span.x, found, hit);
             continue;
         }
         if (w.level > leaf_level) {
@@ -215,9 +238,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         bool last = w.level <= lowest || largest <= least;
         down = !last;
         if (last || box.turn <= kLeafTurn) {
-            // A triangle's plane goes on beyond it by as much as its heights differ.
-            float differ = (heights.y - heights.x) * (leaf == kLeafTriangles ? 2.0f : 1.0f);
-            float bend = 0.5f * box.turn * (differ + 0.5f * box.turn * max(abs(heights.x), abs(heights.y)));
+            float bend = leaf_bend(box, heights, leaf == kLeafTriangles);
             down = !meet_leaf(p, ob, g, r, leaf, of_leaf, stride, middle, half_size, bend, last, found, hit) && !last;
         }
     }
