@@ -22,8 +22,10 @@ constexpr MethodParameter kParameters[] = {
      "Shade with the interpolated normal in the base triangle's stead, so that a low-poly base "
      "does not show.",
      0, 1, 1, true},
-    {"range", "", "Procedural heights: parts a side that a lattice triangle is divided into, a power of two from 8 to 512. 0: "
-                  "the source's own texels, true to the surface.",
+    {"range", "",
+     "Procedural heights: parts a side that a lattice triangle is divided into, a power of two from 8 to "
+     "512. 0: "
+     "the source's own texels, true to the surface.",
      0, 512, 0},
 };
 

@@ -1,5 +1,5 @@
-// The triforce: every part of a half is visited once, whatever the order, and no height leaves the bounds of the part it
-// lies in, at every depth.
+// The triforce: every part of a half is visited once, whatever the order, and no height leaves the bounds of
+// the part it lies in, at every depth.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -53,22 +53,27 @@ void check_parts(const Exemplar& exemplar, const Procedural& settings, int round
     std::uniform_real_distribution<double> unit(0, 1);
     double slack = 0;
     for (int i = 0; i < rounds; ++i) {
-        const ivec2 texel(static_cast<int>(random() % 20000) - 10000, static_cast<int>(random() % 20000) - 10000);
+        const ivec2 texel(static_cast<int>(random() % 20000) - 10000,
+                          static_cast<int>(random() % 20000) - 10000);
         const auto map = procedural_float::lattice_map(source.data(), texel);
         const ivec2 square(static_cast<int>(random() % 5) - 2, static_cast<int>(random() % 5) - 2);
-        const int depth = i % 10, order = procedural_double::part_order({unit(random) - 0.5, unit(random) - 0.5});
+        const int depth = i % 10,
+                  order = procedural_double::part_order({unit(random) - 0.5, unit(random) - 0.5});
         const bool beyond = random() % 2 == 0;
         procedural_float::Triforce t{ivec2(beyond ? 512 : 0), beyond ? -512 : 512};
         for (int k = 0; k < depth; ++k) {
             t = procedural_float::triforce_down(t, order);
             for (unsigned skip = random() % 4; skip > 0; --skip) {
                 procedural_float::Triforce next = t;
-                if (procedural_float::triforce_next(order, 512, next) && std::abs(next.size) == std::abs(t.size)) t = next;
+                if (procedural_float::triforce_next(order, 512, next) &&
+                    std::abs(next.size) == std::abs(t.size))
+                    t = next;
             }
         }
         const glm::vec2 base = glm::vec2(t.base) / 512.0f;
         const float size = static_cast<float>(t.size) / 512.0f;
-        const glm::vec2 bounds = procedural_float::triforce_bounds(source.view(), source.data(), map, square, beyond, base, size);
+        const glm::vec2 bounds =
+            procedural_float::triforce_bounds(source.view(), source.data(), map, square, beyond, base, size);
         double low = 1, high = 0;
         for (int k = 0; k < 30; ++k) {
             double u = unit(random), v = unit(random);
@@ -80,8 +85,10 @@ void check_parts(const Exemplar& exemplar, const Procedural& settings, int round
             low = std::min(low, value);
             high = std::max(high, value);
         }
-        ASSERT_GE(low, static_cast<double>(bounds.x) - kRounding) << "depth " << depth << " part " << t.base.x << " " << t.base.y << " " << t.size;
-        ASSERT_LE(high, static_cast<double>(bounds.y) + kRounding) << "depth " << depth << " part " << t.base.x << " " << t.base.y << " " << t.size;
+        ASSERT_GE(low, static_cast<double>(bounds.x) - kRounding)
+            << "depth " << depth << " part " << t.base.x << " " << t.base.y << " " << t.size;
+        ASSERT_LE(high, static_cast<double>(bounds.y) + kRounding)
+            << "depth " << depth << " part " << t.base.x << " " << t.base.y << " " << t.size;
         if (depth >= 5) slack += static_cast<double>(bounds.y - bounds.x) - (high - low);
     }
     testing::Test::RecordProperty("mean_slack_from_depth_5", std::to_string(slack / (rounds / 2)));
@@ -107,8 +114,10 @@ TEST(TriforceBounds, are_tighter_than_the_whole_sources) {
     double parts = 0, small = 0;
     for (int i = 0; i < 64; ++i) {
         const ivec2 square(i % 8, i / 8);
-        const dvec2 whole = procedural_double::triforce_bounds(source.view(), source.data(), map, square, false, {0, 0}, 1);
-        const dvec2 part = procedural_double::triforce_bounds(source.view(), source.data(), map, square, false, {0.25, 0.25}, 1 / 64.0);
+        const dvec2 whole =
+            procedural_double::triforce_bounds(source.view(), source.data(), map, square, false, {0, 0}, 1);
+        const dvec2 part = procedural_double::triforce_bounds(source.view(), source.data(), map, square,
+                                                              false, {0.25, 0.25}, 1 / 64.0);
         parts += (whole.y - whole.x) / 64;
         small += (part.y - part.x) / 64;
     }

@@ -5,7 +5,7 @@
 // Deviations from the thesis: parts beyond the triangle's edges are dropped at every depth, and the two triangles of a square
 // are bounded as such in place of the source's whole range. The leaf is not its box: it is met as S with the height linear
 // between the part's corners (leaf.glsl), which neighbouring parts share, so that there are no holes and normals are those
-// of S. Where range parts are a texel or less the leaves are S itself but for the bend within a texel.
+// of S. Where a part is a texel or less the leaves are S itself but for the bend within a texel.
 #ifndef RELIEVO_DBVH_LATTICE_GLSL
 #define RELIEVO_DBVH_LATTICE_GLSL
 
