@@ -4,7 +4,7 @@
 namespace relievo {
 namespace {
 
-constexpr double kSteps[] = {0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.00025};
+constexpr double kSteps[] = {0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.00025, 0.000125};
 
 constexpr MethodParameter kParameters[] = {
     {"dt", "radii", "Step along the ray, as a fraction of the object's bounding-sphere radius. Smaller is truer and slower; "
