@@ -290,9 +290,15 @@ void Session::dab(const Dab& dab, std::span<const FacePoint> copies) {
                 for (std::size_t i = 0; i < copies.size(); ++i) s.stroke.copies[i].push_back(copies[i]);
             });
     constexpr auto kOne = static_cast<float>(Dab::kBarycentricOne);
-    s.touched = Touched{
-        s.surface->at(dab.face, static_cast<float>(dab.b1) / kOne, static_cast<float>(dab.b2) / kOne).position,
-        s.stroke.brush.radius};
+    const glm::vec3 centre =
+        s.surface->at(dab.face, static_cast<float>(dab.b1) / kOne, static_cast<float>(dab.b2) / kOne).position;
+    s.touched = Touched{centre, s.stroke.brush.radius};
+    if (s.stroke.brush.tool == Tool::grab) {  // what it left and where it took it
+        const float unit = s.stroke.brush.radius / static_cast<float>(Dab::kDragOne);
+        const glm::vec3 drag = unit * glm::vec3(dab.drag[0], dab.drag[1], dab.drag[2]);
+        s.touched->centre += 0.5f * drag;
+        s.touched->radius = 1.6f * s.touched->radius + 0.5f * glm::length(drag);
+    }
 }
 
 void Session::end_stroke() {
