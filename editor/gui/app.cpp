@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 // Of one turn of the loop, which the interface brings to less than 50 ms on two cores without a GPU: strokes,
 // with what remains for the picture; a hand that is ahead of the dabs gets more than one that is not.
 constexpr double kTurnMs = 34, kInputMs = 14, kLateInputMs = 26, kLateUs = 50e3, kLeastTraceMs = 8;
-constexpr double kRestSeconds = 0.5;
+constexpr double kRestSeconds = 0.5, kAirbrushSeconds = 0.02;
 constexpr double kUnhurriedMs = 100;  // between frames that show nothing new but numbers
 constexpr int kClosingFrames = 2;
 constexpr int kSettleFrames = 3;
@@ -133,7 +133,8 @@ void App::wait_for_input() {
     if (busy) {
         window_->poll();
     } else {
-        window_->wait(toasts_.empty() ? 60 : kRestSeconds);
+        const bool airbrush = pointer_.in_stroke() && desk_.session.stroke_settings().rate > 0;
+        window_->wait(airbrush ? kAirbrushSeconds : toasts_.empty() ? 60 : kRestSeconds);
         frames_due_ = 1;
     }
     if (!window_->events().empty()) frames_due_ = kSettleFrames;
@@ -169,6 +170,7 @@ void App::handle_input() {
         y_ = event.y;
         pointer_stale_ = true;
     }
+    if (events.empty() && pointer_.in_stroke()) pointer_.rest(static_cast<std::uint64_t>(window_->now_us()));
     pointer_.apply_camera();
 }
 

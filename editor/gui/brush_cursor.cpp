@@ -92,20 +92,23 @@ double counts_at(const Session& session, const PickHit& hit) {
 
 void BrushCursor::follow(Session& session, const LivePicture& live, double x, double y) {
     Renderer& renderer = session.renderer();
-    const Ray ray = renderer.camera_ray(live.to_renderer_x(x), live.to_renderer_y(y));
-    const PickHit hit = renderer.pick(std::span(&ray, 1)).front();
+    ray_ = renderer.camera_ray(live.to_renderer_x(x), live.to_renderer_y(y));
+    next_ray_ = renderer.camera_ray(live.to_renderer_x(x) + 1, live.to_renderer_y(y));
+    const PickHit hit = renderer.pick(std::span(&ray_, 1)).front();
     centre_.reset();
     if (!hit.hit || hit.object != 0) return;
     centre_ = hit;
     normal_ = displacing_normal(session.scene().objects.front().mesh, hit);
-    ring_ = ring_around(renderer, hit, normal_, session.brush().radius);
+    resize(session);
     const Displacement& d = session.scene().objects.front().displacement;
     spot_.counts = counts_at(session, hit);
     spot_.height = displacement_of(d, spot_.counts);
 }
 
 void BrushCursor::resize(Session& session) {
-    if (centre_) ring_ = ring_around(session.renderer(), *centre_, normal_, session.brush().radius);
+    if (!centre_) return;
+    radius_ = session.world_radius(*centre_, ray_, next_ray_);
+    ring_ = ring_around(session.renderer(), *centre_, normal_, radius_);
 }
 
 std::optional<BrushCursor::Spot> BrushCursor::spot() const {
@@ -133,7 +136,7 @@ void BrushCursor::draw(ImDrawList& list, Session& session, PixelSize picture, do
     }
     // The normal shows how the surface lies where the ring is seen edge on.
     const auto foot = on_screen(centre_->position);
-    const auto tip = on_screen(centre_->position + normal_ * (0.35f * session.brush().radius));
+    const auto tip = on_screen(centre_->position + normal_ * (0.35f * radius_));
     if (foot && tip) list.AddLine(*foot, *tip, lit ? kAccent : kRing, 1.2f);
 }
 

@@ -31,7 +31,9 @@ class BrushCursor {
 
   private:
     std::optional<PickHit> centre_;
-    glm::vec3 normal_{0};  // of the base surface there, unit
+    Ray ray_{}, next_ray_{};  // through the pointer, and one pixel beside it
+    glm::vec3 normal_{0};     // of the base surface there, unit
+    float radius_ = 0;        // of the ring, world units
     Spot spot_;
     std::vector<glm::vec3> ring_;  // points on the surface, rebased space
 };

@@ -2,6 +2,7 @@
 #include "editor/gui/desk.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -134,9 +135,18 @@ void Desk::leave(const Departure& wanted) {
 }
 
 void Desk::scale_radius(double factor) {
-    float& radius = session.brush().radius;
-    radius = std::clamp(radius * static_cast<float>(factor), kLeastRadius * mesh_radius(),
-                        kMostRadius * mesh_radius());
+    StrokeSettings& settings = session.stroke_settings();
+    const auto scaled = [&](float& value, float low, float high) {
+        value = std::clamp(value * static_cast<float>(factor), low, high);
+    };
+    if (settings.unit == RadiusUnit::world)
+        scaled(session.brush().radius, kLeastRadius * mesh_radius(), kMostRadius * mesh_radius());
+    for (const StrokeParameter& parameter : stroke_parameters()) {
+        const bool counted =
+            (parameter.value == &StrokeSettings::radius_px && settings.unit == RadiusUnit::screen) ||
+            (parameter.value == &StrokeSettings::radius_texels && settings.unit == RadiusUnit::texel);
+        if (counted) scaled(settings.*parameter.value, parameter.low, parameter.high);
+    }
 }
 
 void Desk::start_drag(BrushDrag drag) {
@@ -180,6 +190,14 @@ void Desk::flatten_view() {
     const bool flat = camera.fov_deg <= kFlatFovDeg * 1.01;
     if (!flat) view.full_fov_deg = camera.fov_deg;
     set_camera(with_fov(camera, flat ? view.full_fov_deg : kFlatFovDeg));
+}
+
+void Desk::toggle_symmetry(std::size_t axis) {
+    constexpr std::array kFlags{&Brush::mirror_x, &Brush::mirror_y, &Brush::mirror_z};
+    bool& on = session.brush().*kFlags.at(axis);
+    on = !on;
+    toasts.info(std::string("Symmetry across ") + std::string(axis_names()[axis]) +
+                (on ? " is on" : " is off"));
 }
 
 void Desk::choose_tool(std::size_t index) {

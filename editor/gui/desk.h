@@ -26,7 +26,18 @@ struct Departure {
 };
 
 // A dialog that the next frame opens.
-enum class Dialog { none, keys, open, new_map, save_as, export_map, save_picture, unsaved, recovery, exemplar };
+enum class Dialog {
+    none,
+    keys,
+    open,
+    new_map,
+    save_as,
+    export_map,
+    save_picture,
+    unsaved,
+    recovery,
+    exemplar
+};
 
 // A brush setting that follows the pointer until a click.
 enum class BrushDrag { none, radius, strength };
@@ -62,7 +73,7 @@ class Desk {
     std::optional<Departure> departure;       // decided
 
     void set(const std::string& key, const SetValue& value);  // settings.h
-    void set_exemplar(const std::filesystem::path& path);  // of procedural heights
+    void set_exemplar(const std::filesystem::path& path);     // of procedural heights
     void set_camera(const Camera& camera);
     void undo();
     void redo();
@@ -78,9 +89,10 @@ class Desk {
     // Views kept between runs; numbers from 1 on.
     void keep_camera(int number);
     void go_to_camera(int number);
-    void turn_lights(double degrees);     // all of them about the camera's up vector, through look_at
-    void flatten_view();                  // to nearly parallel lines of sight, or back
-    void choose_tool(std::size_t index);  // into tools(); beyond them, nothing happens
+    void turn_lights(double degrees);        // all of them about the camera's up vector, through look_at
+    void flatten_view();                     // to nearly parallel lines of sight, or back
+    void toggle_symmetry(std::size_t axis);  // 0 to 2: x, y, z
+    void choose_tool(std::size_t index);     // into tools(); beyond them, nothing happens
     void set_view(View view);
     void split(bool wanted);  // the right part of the picture by the second method
     void set_second(const MethodChoice& method);

@@ -38,6 +38,8 @@ constexpr std::array kBindings{
             [](D& d, const K&) { d.start_drag(BrushDrag::radius); }},
     Binding{"Shift + F", "drag the strength", GLFW_KEY_F, GLFW_KEY_F, kShift,
             [](D& d, const K&) { d.start_drag(BrushDrag::strength); }},
+    Binding{"X, Y, Z", "symmetry across that axis of the object", GLFW_KEY_X, GLFW_KEY_Z, 0,
+            [](D& d, const K& k) { d.toggle_symmetry(static_cast<std::size_t>(k.key - GLFW_KEY_X)); }},
     Binding{"View", ""},
     Binding{"Alt + left, middle", "orbit"},
     Binding{"Alt + middle, Shift + middle", "pan"},

@@ -17,6 +17,8 @@ class PointerControl {
     void on_event(const InputEvent& event, const Box& picture, bool picture_free);
     void cancel();  // Esc: the stroke, or the drag of camera or brush, leaves all as it was
 
+    void rest(std::uint64_t time_us) { stroke_.rest(time_us); }  // no event came until then
+
     bool in_stroke() const { return stroke_.active(); }
     std::uint64_t dabs() const { return stroke_.dabs(); }
     bool dragging() const { return stroke_.active() || divider_ || drag_ != CameraDrag::none; }

@@ -1,8 +1,6 @@
 // The panel at the right: sections for brush, map, method, lights and material, render.
 #include <imgui.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 
@@ -43,41 +41,6 @@ void begin_panel(const char* name, const Box& box, float pad_x, float pad_y) {
         {static_cast<float>(box.x + box.width) + 1, static_cast<float>(box.y + box.height) + 1}, kLine);
 }
 
-namespace {
-
-// What a user calls a setting of the table: "size_jitter" is "Size jitter".
-std::string readable(std::string_view name) {
-    std::string text(name == "radius" ? "size" : name);
-    std::replace(text.begin(), text.end(), '_', ' ');
-    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text;
-}
-
-void brush_row(Desk& desk, const BrushParameter& parameter) {
-    Range range{parameter.low, parameter.high};
-    if (parameter.name == "radius") {
-        const float radius = desk.mesh_radius();
-        range = {radius * 0.002f, radius * 2, true, "%.4g"};
-    }
-    slider_row(readable(parameter.name), desk.session.brush().*parameter.value, range, parameter.tooltip);
-}
-
-}  // namespace
-
-void draw_brush_section(Desk& desk) {
-    if (!section("Brush")) return;
-    const Tool tool = desk.session.brush().tool;
-    for (const BrushParameter& parameter : brush_parameters()) {
-        if (parameter.name == "level" && tool != Tool::level) continue;
-        brush_row(desk, parameter);
-    }
-    row_label("Falloff");
-    falloff_combo(desk);
-    if (tool == Tool::draw)
-        switch_row("Lower", desk.session.brush().invert,
-                   "Draw lowers the surface. Holding Ctrl does the opposite.");
-}
-
 void draw_map_section(Desk& desk) {
     if (!section("Map")) return;
     const HeightMap& map = desk.session.map();
@@ -87,7 +50,8 @@ void draw_map_section(Desk& desk) {
         text_row("File", path ? path->filename().string() : "not saved yet");
         if (path) tooltip(path->string());
     }
-    text_row(d.procedural ? "Exemplar" : "Texels", std::to_string(map.width()) + " x " + std::to_string(map.height()) + ", 16 bit");
+    text_row(d.procedural ? "Exemplar" : "Texels",
+             std::to_string(map.width()) + " x " + std::to_string(map.height()) + ", 16 bit");
     auto amplitude = static_cast<float>(d.amplitude);
     const float most = std::max(desk.mesh_radius(), std::abs(amplitude));
     if (slider_row("Amplitude", amplitude, {-most, most, false, "%.4g"},

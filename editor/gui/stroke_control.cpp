@@ -50,6 +50,10 @@ void StrokeControl::move(const InputEvent& event) {
     if (input_) input_->move(pointer(event));
 }
 
+void StrokeControl::rest(std::uint64_t time_us) {
+    if (input_) input_->rest(time_us);
+}
+
 void StrokeControl::end(const InputEvent& event) {
     if (!input_) return;
     input_->end(pointer(event));

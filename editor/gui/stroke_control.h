@@ -21,6 +21,7 @@ class StrokeControl {
     // Shift, the stroke smooths. Throws std::invalid_argument when a brush setting is out of its range.
     void begin(const InputEvent& event);
     void move(const InputEvent& event);
+    void rest(std::uint64_t time_us);  // no event came until then
     void end(const InputEvent& event);
     void cancel();
 

@@ -98,9 +98,17 @@ float label_width(const char* text) {
 
 void size_slider(Desk& desk) {
     const float radius = desk.mesh_radius();
-    bar_slider("##size", desk.session.brush().radius, {radius * 0.002f, radius * 2, true}, "%.4g");
-    tooltip("Reach of the brush on the displaced surface, in world units.  [ and ] change it, F drags it.",
-            "Size");
+    StrokeSettings& settings = desk.session.stroke_settings();
+    if (settings.unit == RadiusUnit::world)
+        bar_slider("##size", desk.session.brush().radius, {radius * 0.002f, radius * 2, true}, "%.4g");
+    if (settings.unit == RadiusUnit::screen)
+        bar_slider("##size", settings.radius_px, {1, 2000, true}, "%.0f px");
+    if (settings.unit == RadiusUnit::texel)
+        bar_slider("##size", settings.radius_texels, {0.5f, 4000, true}, "%.1f texels");
+    tooltip(
+        "Reach of the brush on the displaced surface; its unit is chosen at the right.  [ and ] change it, F "
+        "drags it.",
+        "Size");
 }
 
 void strength_slider(Desk& desk) {

@@ -1,0 +1,100 @@
+// The side panel's section about the brush: every setting of the tables that its tool reads.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+#include "editor/gui/panels.h"
+#include "editor/gui/widgets.h"
+
+namespace relievo::gui {
+namespace {
+
+// What a user calls a setting of a table.
+std::string readable(std::string_view name) {
+    std::string text(name.starts_with("radius") ? "size" : name);
+    if (name == "lazy_px") text = "lazy";
+    std::replace(text.begin(), text.end(), '_', ' ');
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+template <typename Choice>
+void choice_row(const char* label, std::span<const std::string_view> names, Choice& now,
+                std::string_view text) {
+    row_label(label);
+    const auto index = static_cast<std::size_t>(now);
+    if (ImGui::BeginCombo((std::string("##") + label).c_str(), std::string(names[index]).c_str())) {
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (ImGui::Selectable(std::string(names[i]).c_str(), i == index)) now = static_cast<Choice>(i);
+        ImGui::EndCombo();
+    }
+    tooltip(text, label);
+}
+
+void size_rows(Desk& desk) {
+    StrokeSettings& settings = desk.session.stroke_settings();
+    choice_row("Unit", radius_unit_names(), settings.unit,
+               "What the size counts: world units, pixels on the screen, or texels of the map.");
+    if (settings.unit != RadiusUnit::world) return;
+    const float radius = desk.mesh_radius();
+    slider_row("Size", desk.session.brush().radius, {radius * 0.002f, radius * 2, true, "%.4g"},
+               "Reach of the brush on the displaced surface, in world units.");
+}
+
+void brush_rows(Desk& desk) {
+    Brush& brush = desk.session.brush();
+    for (const BrushParameter& parameter : brush_parameters()) {
+        if (parameter.name == "radius" || !holds(parameter.tools, brush.tool)) continue;
+        const bool whole = parameter.high - parameter.low > 20;
+        float& value = brush.*parameter.value;
+        const Range range{parameter.low, parameter.high, false, whole ? "%.0f" : "%.3f"};
+        if (slider_row(readable(parameter.name), value, range, parameter.tooltip) && whole)
+            value = std::round(value);
+    }
+    if (brush.radial > 1)
+        choice_row("Radial axis", axis_names(), brush.radial_axis,
+                   "The object's axis that the copies go about.");
+    for (const BrushFlag& flag : brush_flags())
+        if (holds(flag.tools, brush.tool)) switch_row(readable(flag.name), brush.*flag.value, flag.tooltip);
+}
+
+void stroke_rows(Desk& desk) {
+    StrokeSettings& settings = desk.session.stroke_settings();
+    for (const StrokeParameter& parameter : stroke_parameters()) {
+        const bool other_unit =
+            (parameter.value == &StrokeSettings::radius_px && settings.unit != RadiusUnit::screen) ||
+            (parameter.value == &StrokeSettings::radius_texels && settings.unit != RadiusUnit::texel);
+        if (other_unit) continue;
+        const bool decades = parameter.low > 0 && parameter.high / parameter.low > 50;
+        const Range range{parameter.low, parameter.high, decades, parameter.high > 20 ? "%.0f" : "%.2f"};
+        slider_row(readable(parameter.name), settings.*parameter.value, range, parameter.tooltip);
+    }
+}
+
+void mask_row(Desk& desk) {
+    row_label("Mask");
+    const auto names = mask_commands();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) ImGui::SameLine();
+        if (push_button(readable(names[i]).c_str(), true,
+                        "Of the whole mask, which protects from every tool. Undo takes it back."))
+            desk.attempt([&] { desk.session.change_mask(static_cast<MaskCommand>(i)); });
+    }
+}
+
+}  // namespace
+
+void draw_brush_section(Desk& desk) {
+    if (!section("Brush")) return;
+    size_rows(desk);
+    brush_rows(desk);
+    row_label("Falloff");
+    falloff_combo(desk);
+    stroke_rows(desk);
+    mask_row(desk);
+}
+
+}  // namespace relievo::gui
