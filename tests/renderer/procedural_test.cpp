@@ -39,6 +39,8 @@ double worst_height(const Exemplar& exemplar, const Procedural& settings, const 
 }
 
 TEST_P(ProceduralHeights, AreWithinOneCountOfTheProcessors) {
+    if (find_method(GetParam()).geometry == GeometryKind::triangles)
+        GTEST_SKIP() << "meets the surface at its samples only, and here every texel differs from its neighbours";
     // Every texel of the exemplar differs from its neighbours: another offset anywhere would show at once.
     const Exemplar noise = noise_exemplar(8, 12), rough = rough_exemplar(64, 64);
     EXPECT_LT(worst_height(noise, {{}, 1, {0, 0}, 0, 0.25}, GetParam(), 0), kOneCount);
@@ -47,6 +49,8 @@ TEST_P(ProceduralHeights, AreWithinOneCountOfTheProcessors) {
 }
 
 TEST_P(ProceduralHeights, StayTheSameFarFromTheOrigin) {
+    if (find_method(GetParam()).geometry == GeometryKind::triangles)
+        GTEST_SKIP() << "meets the surface at its samples only, and here every texel differs from its neighbours";
     const Exemplar rough = rough_exemplar(64, 64);
     EXPECT_LT(worst_height(rough, {{}, 1, {0, 0}, 3, 0.25}, GetParam(), -4096), kOneCount);
 }
