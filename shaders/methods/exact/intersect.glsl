@@ -76,15 +76,16 @@ FUNC bool first_root(vec3 c, float from, float to, OUT(float) root) {
 
 // Newton on S along the ray, in the bilinear patch of one cell, from a root on the chord. False where no root is near.
 // `enough`: a gap to the surface that is closed. `bend`: what the path's square coefficients, over one unit of tau, do to
-// that gap.
+// that gap. `slope`: of the gap there, over tau.
 FUNC bool polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec4 quad, float reach, float enough,
-                 float bend, INOUT(vec2) b, INOUT(float) tau) {
+                 float bend, INOUT(vec2) b, INOUT(float) tau, OUT(float) slope) {
     float twist = abs(ob.amplitude * (quad.x - quad.y - quad.z + quad.w));
+    slope = 0.0f;
     for (int i = 0; i < 4; ++i) {
         ShellPoint a = shell_point(p, s, r, tau, b, 1);
         vec2 f = a.tx - cell;
         vec2 g = bilinear_gradient(quad, f);
-        float slope = a.dh - ob.amplitude * (g.x * a.dtx.x + g.y * a.dtx.y);
+        slope = a.dh - ob.amplitude * (g.x * a.dtx.x + g.y * a.dtx.y);
         float gap = a.h - displacement(ob, bilinear(quad, f));
         float step_back = slope != 0.0f ? clamp(gap / slope, -reach, reach) : 0.0f;
         float rounding = 2e-6f * max(abs(a.tx.x), abs(a.tx.y));
@@ -244,12 +245,16 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
         float steep = abs(ob.amplitude) * (max(abs(quad.y - quad.x), abs(quad.w - quad.z)) +
                                            max(abs(quad.z - quad.x), abs(quad.w - quad.y)));
         float curve = (abs(c.h.z) + max(abs(c.d2.x), abs(c.d2.y)) * steep) / (c.span * c.span);
-        bool met = polish(p, ob, shell, r, cell, quad, 0.1f * c.span, enough, curve, b, tau);
+        float slope;
+        bool met = polish(p, ob, shell, r, cell, quad, 0.1f * c.span, enough, curve, b, tau, slope);
         note(kNoteRoot, r.t0 + tau, texel_at(p, b), height_on(c, s + root), 0.0f);
         // Beyond the cell's borders other heights hold; where Newton's steps run wild, so do heights.
         vec2 place = texel_at(p, b) - cell;
         bool there = shell_gap(shell, r, tau, b) <= kThere * (p.q1x + p.q2.y) + tolerance;
-        unsure = met && sure < 1e30f && !(there && min(place.x, place.y) >= -kBorder && max(place.x, place.y) <= 1.0f + kBorder);
+        // The way out of the surface is not the way in: Newton's steps went past that.
+        bool first = slope * w.side <= 0.0f;
+        unsure = met && sure < 1e30f &&
+                 !(there && first && min(place.x, place.y) >= -kBorder && max(place.x, place.y) <= 1.0f + kBorder);
         if (unsure) break;
         if (met && there && in_triangle(b, margin) && r.t0 + tau >= t_min && opaque_at(p, b)) {
             hit.t = r.t0 + tau;

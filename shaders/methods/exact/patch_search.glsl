@@ -196,7 +196,7 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
             }
             root.b = b + change;
             root.z = a.s.z + a.s1.z * change.x + a.s2.z * change.y;
-            gain = vec2(abs(a.s2.x) + abs(a.s2.y), abs(a.s1.x) + abs(a.s1.y)) * (abs(inverse) * rounding);
+            gain = vec2(abs(a.s2.x) + abs(a.s2.y), abs(a.s1.x) + abs(a.s1.y)) * (abs(inverse) * (rounding + noise));
             slack += min(max(gain.x, gain.y), r);
             vec2 place = patch_texel(f, root.b) - cell,
                  border = min(vec2(texel_rounding) + abs(f.tx1) * gain.x + abs(f.tx2) * gain.y, vec2(kMostBorder));
