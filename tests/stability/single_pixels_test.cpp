@@ -1,0 +1,51 @@
+// Pixels on which `exact` was wrong once, in images larger than the suite's own. Each stands for a kind of mistake.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "renderer/stability/ray_judge.h"
+#include "renderer/vulkan/context.h"
+
+namespace relievo::stability {
+namespace {
+
+struct SinglePixel {
+    const char *name, *view;  // of a stability case
+    int size, x, y;           // image and pixel
+};
+
+constexpr SinglePixel kPixels[] = {
+    // Newton's steps lead from where a grazing ray enters a ridge to where it leaves.
+    {"cliffs_on_ball", "from outside", 130, 37, 73},
+    {"ten_edges_on_ball", "grazing", 192, 95, 49},
+    // A root near a patch's border strays by what evaluating S rounds away: over the border, and nobody takes it.
+    {"minus_ten_edges_on_lump", "from inside", 130, 34, 34},
+    {"folded_shell_cliffs", "grazing", 130, 31, 25},
+    {"folded_shell_cliffs", "grazing", 130, 29, 42},
+    {"folded_shell_cliffs", "grazing", 130, 29, 54},
+    {"folded_shell_cliffs", "from below", 130, 67, 56},
+};
+
+TEST(SinglePixels, ExactIsRight) {
+    vulkan::Context device({.device = "", .validation = true, .for_window = false});
+    for (const SinglePixel& pixel : kPixels) {
+        SCOPED_TRACE(std::string(pixel.name) + ", " + pixel.view);
+        const Case extreme = find_case(pixel.name).make();
+        const auto view = std::find_if(extreme.views.begin(), extreme.views.end(),
+                                       [&](const NamedView& v) { return v.name == pixel.view; });
+        ASSERT_NE(view, extreme.views.end());
+        const std::vector<HeightView> maps = extreme.maps();
+        RenderSettings settings;
+        settings.width = settings.height = pixel.size;
+        settings.method = "exact";
+        Renderer renderer(device, extreme.scene(*view), maps, settings);
+        const Ray ray = renderer.camera_ray(pixel.x + 0.5, pixel.y + 0.5);
+        const ReferenceSurface reference = extreme.reference();
+        const RayJudge judge(extreme, reference, {"pixel", {ray}});
+        const ImageComparison errors = judge.compare(renderer.pick(std::span(&ray, 1)));
+        EXPECT_EQ(errors.missed + errors.invented + errors.unexplained, 0);
+    }
+}
+
+}  // namespace
+}  // namespace relievo::stability
