@@ -19,7 +19,6 @@ constexpr SinglePixel kPixels[] = {
     {"cliffs_on_ball", "from outside", 130, 37, 73},
     {"ten_edges_on_ball", "grazing", 192, 95, 49},
     // A root near a patch's border strays by what evaluating S rounds away: over the border, and nobody takes it.
-    {"minus_ten_edges_on_lump", "from inside", 130, 34, 34},
     {"folded_shell_cliffs", "grazing", 130, 31, 25},
     {"folded_shell_cliffs", "grazing", 130, 29, 42},
     {"folded_shell_cliffs", "grazing", 130, 29, 54},
