@@ -1,0 +1,163 @@
+// What the search by patches (shaders/methods/exact/patch_search.glsl) relies on to drop a patch: no point of the surface
+// leaves its patch's box, and over a patch the surface's derivatives stray from those at its middle by no more than said.
+// Random triangles whose shells fold as often as not, maps, rays and patches.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/shader_in_float.h"
+
+namespace relievo {
+namespace {
+
+using namespace shader_in_float;
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"  // every method has the same
+#include "shaders/methods/exact/intersect.glsl"
+#pragma GCC diagnostic pop
+
+using glm::dvec2;
+using glm::dvec3;
+
+class Trial {
+  public:
+    explicit Trial(unsigned seed) : random_(seed) {
+        make_map();
+        make_triangle();
+        const vec3 target = primitive_.origin + vec3(direction() * 0.1);
+        const vec3 eye = target + vec3(direction() * std::pow(10.0, between(-2, 1)));
+        frame_ = make_patch_frame(primitive_, subject.normals, eye, normalize(target - eye));
+    }
+
+    void check_patch() {
+        choose_patch();
+        vec2 low, high;
+        patch_texels(frame_, corner_, side_, low, high);
+        const vec2 range = patch_displacement(primitive_, subject.object, low, high);
+        const PatchBox box = patch_box(frame_, corner_, side_, range);
+        const double rounding = 1e-5 * (1.0 + double{length(frame_.p)} + glm::length(dvec2(range)));
+        for (int i = 0; i < 20; ++i) {
+            const dvec2 b = place();
+            const vec2 texel = patch_texel(frame_, vec2(b));
+            const float value = map_value(0, primitive_base(primitive_), texel);
+            const dvec3 s = surface(b, displacement(subject.object, value));
+            ASSERT_TRUE(glm::all(glm::greaterThanEqual(s, dvec3(box.low) - rounding)) &&
+                        glm::all(glm::lessThanEqual(s, dvec3(box.high) + rounding)))
+                << s.x << " " << s.y << " " << s.z << " leaves " << box.low.x << " " << box.low.y << " "
+                << box.low.z << " to " << box.high.x << " " << box.high.y << " " << box.high.z;
+        }
+    }
+
+    // How many patches had a spread at all.
+    int check_derivatives() {
+        choose_patch();
+        const vec2 middle = corner_ + vec2(0.5f * side_), cell = floor(patch_texel(frame_, middle));
+        const vec4 quad = height_quad(0, primitive_base(primitive_) + cell);
+        const PatchPoint m = patch_point(frame_, subject.object, quad, cell, middle);
+        const float spread = jacobian_spread(frame_, subject.object, quad, m, 0.5f * side_);
+        if (spread >= 1e30f) return 0;
+        for (int i = 0; i < 20; ++i) {
+            const PatchPoint a = patch_point(frame_, subject.object, quad, cell, vec2(place()));
+            const float rounding = 1e-4f * (length(a.s1) + length(a.s2) + length(m.s1) + length(m.s2));
+            const float strays = length(a.s1 - m.s1) + length(a.s2 - m.s2);
+            EXPECT_LE(strays, spread + rounding) << "side " << side_;
+        }
+        return 1;
+    }
+
+  private:
+    double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }
+    int whole(int a, int b) { return std::uniform_int_distribution<int>(a, b)(random_); }
+    dvec3 direction() {
+        for (;;) {
+            const dvec3 v(between(-1, 1), between(-1, 1), between(-1, 1));
+            if (glm::length(v) > 0.1 && glm::length(v) < 1) return glm::normalize(v);
+        }
+    }
+
+    void choose_patch() {
+        const int depth = whole(0, 9), last = (1 << depth) - 1;
+        side_ = std::ldexp(1.0f, -depth);
+        corner_ = vec2(whole(0, last), 0) * side_;
+        corner_.y = static_cast<float>(whole(0, last - static_cast<int>(corner_.x / side_))) * side_;
+    }
+    dvec2 place() { return dvec2(corner_) + dvec2(between(0, 1), between(0, 1)) * double{side_}; }
+
+    void make_map() {
+        map_.width = whole(1, 30);
+        map_.height = whole(1, 30);
+        const bool cliffs = whole(0, 2) == 0;
+        for (int i = 0; i < map_.width * map_.height; ++i)
+            map_.texels.push_back(static_cast<std::uint16_t>(cliffs ? 65535 * whole(0, 1) : whole(0, 65535)));
+        pyramid_.emplace(map_.view(), Wrap::repeat);
+        subject.map = &map_;
+        subject.pyramid = &*pyramid_;
+        subject.object = {};
+        subject.object.amplitude = static_cast<float>(between(-2, 2) * std::pow(10.0, between(-3, 1)));
+        subject.object.midlevel = static_cast<float>(between(0, 1));
+        subject.object.map_size = {map_.width, map_.height};
+    }
+
+    void make_triangle() {
+        for (;;) {
+            MeshFile file;
+            const double texels = std::pow(2.0, between(-2, 6)), lean = between(0, 3);
+            for (int i = 0; i < 3; ++i) {
+                file.positions.push_back(direction());
+                file.uvs.push_back(dvec2(between(-1, 1), between(-1, 1)) * texels /
+                                   dvec2(map_.width, map_.height));
+            }
+            const dvec3 ng =
+                glm::cross(file.positions[1] - file.positions[0], file.positions[2] - file.positions[0]);
+            for (int i = 0; i < 3; ++i)
+                file.file_normals.push_back(glm::normalize(glm::normalize(ng) + direction() * lean));
+            file.faces = {{{0, 1, 2}, {0, 1, 2}}};
+            const Mesh mesh = make_mesh(file, glm::dmat4(1), dvec3(0), true);
+            const auto p = make_primitive(mesh, 0, 0, {{map_.width, map_.height}, false});
+            if (!p) continue;
+            primitive_ = *p;
+            subject.normals = relievo::primitive_normals(mesh, 0);
+            // As a searched triangle has them: bounds of the displacement.
+            const float a = displacement(subject.object, 0), b = displacement(subject.object, 1);
+            primitive_.w_low = std::min(a, b);
+            primitive_.w_high = std::max(a, b);
+            return;
+        }
+    }
+
+    // In the ray's frame, in double.
+    dvec3 surface(dvec2 b, double height) const {
+        const PatchFrame& f = frame_;
+        const dvec3 n = dvec3(f.n) + dvec3(f.n1) * b.x + dvec3(f.n2) * b.y;
+        return dvec3(f.p) + dvec3(f.p1) * b.x + dvec3(f.p2) * b.y + glm::normalize(n) * height;
+    }
+
+    std::mt19937 random_;
+    test::TestMap map_;
+    std::optional<HeightPyramid> pyramid_;
+    Primitive primitive_{};
+    PatchFrame frame_{};
+    vec2 corner_{0};
+    float side_ = 1;
+};
+
+TEST(PatchBounds, HoldEveryPointOfTheSurface) {
+    for (unsigned seed = 0; seed < 20000; ++seed) {
+        Trial trial(seed);
+        for (int i = 0; i < 8; ++i) trial.check_patch();
+        ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
+    }
+}
+
+TEST(PatchBounds, HoldTheDerivatives) {
+    int bounded = 0;
+    for (unsigned seed = 0; seed < 20000; ++seed) {
+        Trial trial(seed);
+        for (int i = 0; i < 8; ++i) bounded += trial.check_derivatives();
+        ASSERT_FALSE(HasFailure()) << "seed " << seed;
+    }
+    EXPECT_GT(bounded, 50000);
+}
+
+}  // namespace
+}  // namespace relievo
