@@ -5,6 +5,7 @@
 
 #include "editor/session/compare/error_map.h"
 #include "editor/session/compare/html_tables.h"
+#include "editor/session/compare/page_style.h"
 #include "editor/session/compare/plots.h"
 #include "editor/session/compare/report.h"
 #include "editor/session/compare/words.h"
@@ -13,35 +14,17 @@ namespace relievo {
 namespace {
 
 constexpr const char* kStyle = R"(<style>
-:root{color-scheme:light}
-*{box-sizing:border-box}
-body{margin:0;font:15px/1.5 system-ui,Segoe UI,Helvetica,Arial,sans-serif;color:#1d2026;background:#f4f5f7}
-header,main{max-width:1440px;margin:0 auto;padding:0 28px}
-header{padding-top:36px}
-h1{font-size:30px;line-height:1.2;margin:0 0 6px}
-h2{font-size:22px;margin:0 0 4px}
-h3{font-size:15px;margin:26px 0 8px}
-p{margin:6px 0;max-width:95ch}
-.sub{color:#636973}
 .warn{background:#fff3d6;border-left:4px solid #e0a100;padding:8px 14px;margin:12px 0;max-width:none}
 nav{margin:14px 0 4px;display:flex;flex-wrap:wrap;gap:6px}
 nav a{padding:2px 12px;border-radius:99px;background:#fff;border:1px solid #d9dce2}
-a{color:#0057a8;text-decoration:none}
-a:hover{text-decoration:underline}
-section{background:#fff;border:1px solid #dfe2e8;border-radius:10px;padding:24px 26px;margin:22px 0}
 .plots{display:flex;flex-wrap:wrap;gap:14px}
 .plots svg{flex:1 1 460px;max-width:660px;height:auto;border:1px solid #eceef2;border-radius:8px}
 .scroll{overflow-x:auto}
-table{border-collapse:collapse;font-size:12.5px;font-variant-numeric:tabular-nums}
-th,td{padding:4px 8px;text-align:right;white-space:nowrap}
-th{font-weight:600;color:#4a4f57;background:#f7f8fa;border-bottom:1px solid #dfe2e8;vertical-align:bottom}
 thead tr:first-child th[colspan]{text-align:center;border-left:1px solid #e6e8ec;border-right:1px solid #e6e8ec}
-td{border-bottom:1px solid #f0f1f4}
 td.point{text-align:left;font-weight:600}
 td.point i{display:inline-block;width:10px;height:10px;border-radius:99px;margin-right:8px}
 small{color:#7a808a}
 .e0{background:#eaf6ee}.e1{background:#f7f8e4}.e2{background:#fdefdc}.e3{background:#fce3e0}
-.key span{padding:1px 8px;border-radius:4px;margin-right:6px}
 .pictures{display:grid;grid-template-columns:repeat(auto-fill,minmax(280px,1fr));gap:18px}
 figure{margin:0;max-width:512px}
 figure div{display:flex;flex-direction:column;gap:4px}
@@ -49,7 +32,6 @@ figure img{width:100%;height:auto;display:block;border-radius:6px;background:#26
 figcaption{font-size:13px;margin-top:4px}
 details{margin:12px 0}
 summary{cursor:pointer;color:#0057a8}
-footer{max-width:1440px;margin:0 auto;padding:0 28px 40px;color:#7a808a;font-size:13px}
 </style>
 )";
 
@@ -166,7 +148,7 @@ std::string html_text(const Comparison& c) {
     std::string html =
         "<!doctype html><html lang=en><head><meta charset=utf-8><meta name=viewport "
         "content='width=device-width'><title>Relievo: error against run time</title>";
-    html += kStyle;
+    html += std::string(kPageStyle) + kStyle;
     html += "</head><body><header><h1>Error against run time</h1><p class=sub>" + setting(c) + "</p>";
     if (c.machine.load > 0.5)
         html += "<p class=warn>The machine was busy when this began (load " + error_text(c.machine.load) +

@@ -1,6 +1,7 @@
 // The matrix as a page: rows cases, columns methods, all of it open to the eye.
 #include <cstdio>
 
+#include "editor/session/compare/page_style.h"
 #include "editor/session/compare/svg_plot.h"
 #include "editor/session/compare/words.h"
 #include "editor/session/stability/stability_report.h"
@@ -13,19 +14,8 @@ using stability::Verdict;
 using stability::ViewResult;
 
 constexpr const char* kStyle = R"(<style>
-:root{color-scheme:light}
-*{box-sizing:border-box}
-body{margin:0;font:15px/1.5 system-ui,Segoe UI,Helvetica,Arial,sans-serif;color:#1d2026;background:#f4f5f7}
-header,main{max-width:1760px;margin:0 auto;padding:0 28px}
-header{padding-top:36px}
-h1{font-size:30px;line-height:1.2;margin:0 0 6px}
-h2{font-size:19px;margin:0 0 8px}
-p{margin:6px 0;max-width:95ch}
-.sub{color:#636973}
-section{background:#fff;border:1px solid #dfe2e8;border-radius:10px;padding:20px 26px;margin:18px 0;overflow-x:auto}
-table{border-collapse:collapse;font-size:12.5px;font-variant-numeric:tabular-nums;width:100%}
-th,td{padding:3px 8px;text-align:right;white-space:nowrap;border-bottom:1px solid #f0f1f4}
-th{font-weight:600;color:#4a4f57;background:#f7f8fa}
+section{overflow-x:auto}
+table{width:100%}
 th.method{text-align:center;border-left:2px solid #fff;border-right:2px solid #fff;background:#eceff4}
 td.case{text-align:left;white-space:normal;min-width:260px}
 td.case b{display:inline-block;margin-right:8px}
@@ -37,11 +27,8 @@ td.zero{color:#b4b9c1}
 .unjudged{background:#e9ebef;color:#4a4f57}
 .known{background:#fde3c8;color:#7a3f00}
 .wrong,.broken{background:#f7c9c4;color:#8a130a}
-.key span{padding:1px 9px;border-radius:4px;margin-right:4px;font-weight:600;font-size:13px}
+.key span{font-weight:600;font-size:13px}
 ul{margin:4px 0 14px;padding-left:22px;font-size:13px}
-h3{font-size:14px;margin:12px 0 2px}
-footer{max-width:1760px;margin:0 auto;padding:0 28px 40px;color:#7a808a;font-size:13px}
-a{color:#0057a8}
 </style>
 )";
 
@@ -169,7 +156,7 @@ std::string html_text(const StabilityMatrix& m) {
     std::string html =
         "<!doctype html><html lang=en><head><meta charset=utf-8><meta name=viewport "
         "content='width=device-width'><title>Relievo: stiff and extreme cases</title>";
-    html += kStyle;
+    html += std::string(kPageStyle) + kStyle;
     html += "</head><body><header><h1>Stiff and extreme cases</h1><p class=sub>" + escaped(setting) +
             "</p></header><main>";
     html += overview(m);
