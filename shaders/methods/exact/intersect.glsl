@@ -30,7 +30,7 @@ const float kFirmBend = 0.25f;       // barycentric: beyond, Newton's steps at a
 const float kSureError = 2e-6f;      // of the amplitude: a chord this true decides every passage;
 const float kRefinement = 0.2f;      // one that cannot is cut to this part of itself,
 const float kLeastSpan = 1e-4f;      // down to this part of the path
-const float kBorder = 2e-4f;         // texels that a polished root may lie outside its cell
+const float kBorder = 1e-5f;         // texels that a polished root may lie outside its cell, beside its rounding
 const float kThere = 1e-4f;          // of the triangle's size: how far a root's shell coordinates may lead beside the ray
 const float kRest = 3e-6f;           // of the amplitude: a gap that Newton's steps have closed;
 const float kLastStep = 1e-3f;       // or the last step was shorter than this, in texels and barycentrics
@@ -224,8 +224,9 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
                 bool crossed = after == 0.0f && (g.x * w.side < 0.0f || touches);  // since the last cell's end
                 found = crossed || first_root(g, after, u, root);
                 if (found) break;
-                // The least gap in the cell, at its end or where the quadratic turns.
-                float turn = g.z * w.side > 0.0f ? clamp(-0.5f * g.y / g.z, after, u) : u;
+                // The least gap in the cell: at its start (its neighbour may have been flat, and sure of itself), at its end,
+                // or where the quadratic turns.
+                float turn = g.z * w.side > 0.0f ? clamp(-0.5f * g.y / g.z, after, u) : after;
                 float gap = min(last * w.side, (g.x + turn * (g.y + turn * g.z)) * w.side);
                 unsure = unsure || (gap < error && error > sure);
             }
@@ -249,12 +250,13 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
         bool met = polish(p, ob, shell, r, cell, quad, 0.1f * c.span, enough, curve, b, tau, slope);
         note(kNoteRoot, r.t0 + tau, texel_at(p, b), height_on(c, s + root), 0.0f);
         // Beyond the cell's borders other heights hold; where Newton's steps run wild, so do heights.
-        vec2 place = texel_at(p, b) - cell;
+        vec2 met_at = texel_at(p, b), place = met_at - cell;
+        float border = kBorder + 4e-7f * max(abs(met_at.x), abs(met_at.y));
         bool there = shell_gap(shell, r, tau, b) <= kThere * (p.q1x + p.q2.y) + tolerance;
         // The way out of the surface is not the way in: Newton's steps went past that.
         bool first = slope * w.side <= 0.0f;
         unsure = met && sure < 1e30f &&
-                 !(there && first && min(place.x, place.y) >= -kBorder && max(place.x, place.y) <= 1.0f + kBorder);
+                 !(there && first && min(place.x, place.y) >= -border && max(place.x, place.y) <= 1.0f + border);
         if (unsure) break;
         if (met && there && in_triangle(b, margin) && r.t0 + tau >= t_min && opaque_at(p, b)) {
             hit.t = r.t0 + tau;
