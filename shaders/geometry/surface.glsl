@@ -45,15 +45,20 @@ FUNC vec3 geometric_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 
     return surface_normal(p, n, ob, b, cell_gradient(p.object, primitive_base(p), texel_at(p, b)));
 }
 
-// Shading normal as paper 002's Algorithm 1 makes it: differentials of P + D N' with N' held, over half a texel to
-// either side, and the correction of its section 5.1, N' in Ng's stead, as a switch.
-FUNC vec3 displaced_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 b, bool correct) {
+// Shading normal as paper 002's Algorithm 1 makes it: differentials of P + D N' with N' held, for a gradient of the map
+// per texel, and the correction of its section 5.1, N' in Ng's stead, as a switch.
+FUNC vec3 normal_of_gradient(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 b, vec2 gradient, bool correct) {
     vec3 smooth_n = normalize(base_normal(n, b));
-    vec2 g = smooth_gradient(p.object, primitive_base(p), texel_at(p, b)) * ob.amplitude;
+    vec2 g = gradient * ob.amplitude;
     vec3 s1 = base_edge1(p) + smooth_n * dot(g, p.tx1 - p.tx0);
     vec3 s2 = base_edge2(p) + smooth_n * dot(g, p.tx2 - p.tx0);
     vec3 displaced = normalize(cross(s1, s2));
     return correct ? normalize(displaced - p.ng + smooth_n) : displaced;
+}
+
+// The same over half a texel to either side.
+FUNC vec3 displaced_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 b, bool correct) {
+    return normal_of_gradient(p, n, ob, b, smooth_gradient(p.object, primitive_base(p), texel_at(p, b)), correct);
 }
 
 #endif

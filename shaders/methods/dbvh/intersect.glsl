@@ -245,6 +245,15 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     return found;
 }
 
+// Triangles shade flat, B-splines by their own slope, bilinear leaves as S. So do boxes, and the parts of a procedural
+// source's lattice: which face of a box, or which part, was met is not kept.
 FUNC vec3 shading_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec4 parameters, vec2 b) {
-    return displaced_normal(p, n, ob, b, parameters.w > 0.5f);
+    float leaf = parameters.x;
+    bool of_leaf = leaf == kLeafTriangles || leaf == kLeafBspline;
+#ifndef __cplusplus
+    of_leaf = of_leaf && !(is_procedural(p.object) && log_range_of(fifth_parameter()) > 0);
+#endif
+    bool correct = parameters.w > 0.5f;
+    if (!of_leaf) return displaced_normal(p, n, ob, b, correct);
+    return normal_of_gradient(p, n, ob, b, leaf_gradient(p, leaf, power_of_two(int(parameters.y)), texel_at(p, b)), correct);
 }

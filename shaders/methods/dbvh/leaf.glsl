@@ -108,6 +108,17 @@ FUNC vec2 piece_gradient(Piece e, vec2 f) {
     return vec2(by_x, y0 + f.x * (y1 + f.x * y2)) / e.stride;
 }
 
+// Gradient, per texel, of the leaf of `stride` texels that lies over texel coordinates x.
+FUNC vec2 leaf_gradient(Primitive p, float leaf, float stride, vec2 x) {
+    vec2 base = primitive_base(p), square = floor((base + floor(x)) / stride) * stride - base;
+    vec2 f = clamp((x - square) / stride, vec2(0.0f), vec2(1.0f));
+    int index = 0;
+    if (leaf == kLeafBspline) index = (f.x > 0.5f ? 1 : 0) + (f.y > 0.5f ? 2 : 0);
+    else if (leaf == kLeafTriangles && f.x + f.y > 1.0f) index = 1;
+    Piece e = make_piece(p, leaf, square, stride, index);
+    return piece_gradient(e, (x - e.origin) / stride);
+}
+
 FUNC bool in_piece(Piece e, vec2 f, float slack) {
     return min(f.x - e.low.x, f.y - e.low.y) >= -slack && min(e.high.x - f.x, e.high.y - f.y) >= -slack &&
            (f.x + f.y - 1.0f) * e.half_plane >= -slack;
