@@ -13,7 +13,11 @@ Scene open_scene(const std::filesystem::path& path, const std::string& method,
                  const std::map<std::string, double>& parameters) {
     Scene scene = load_scene(path);
     try {
-        resolve_parameters(find_method(scene.method.name), scene.method.parameters);
+        const Method& of_scene = find_method(scene.method.name);
+        for (const auto& [name, word] : scene.method.words)
+            scene.method.parameters[name] = parameter_word(of_scene, name, word);
+        scene.method.words.clear();
+        resolve_parameters(of_scene, scene.method.parameters);
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(path.string() + ": method: " + error.what());
     }

@@ -6,13 +6,15 @@ namespace {
 
 constexpr double kLeaves[] = {0, 1, 2};
 constexpr std::string_view kLeafNames[] = {"box", "triangles", "bilinear", "bspline"};
+constexpr double kLatticeLeaves[] = {0, 2};
+constexpr double kRanges[] = {8, 16, 64, 128, 256, 512, 0};  // thesis 000, table 6.1; last, the texels
 constexpr double kLevels[] = {3, 2, 1, 0};
 
 constexpr MethodParameter kParameters[] = {
     {"leaf", "",
      "What is met where the level of detail is reached: the box itself, two triangles a square, the bilinear "
      "surface, or a smooth B-spline, which rounds the map's peaks.",
-     0, 3, 2, false, kLeaves, kLeafNames},
+     0, 3, 2, false, kLeaves, kLatticeLeaves, kLeafNames},
     {"level", "", "Level of detail: a leaf is 2^level texels wide. 0 is the map itself.", 0, 10, 0, false,
      kLevels},
     {"by_pixel", "",
@@ -26,7 +28,7 @@ constexpr MethodParameter kParameters[] = {
      "Procedural heights: parts a side that a lattice triangle is divided into, a power of two from 8 to "
      "512. 0: "
      "the source's own texels, true to the surface.",
-     0, 512, 0},
+     0, 512, 0, false, {}, kRanges},
 };
 
 }  // namespace

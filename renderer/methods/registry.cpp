@@ -60,6 +60,16 @@ std::optional<double> named_value(std::string_view parameter, std::string_view w
     return std::nullopt;
 }
 
+double parameter_word(const Method& method, const std::string& parameter, const std::string& word) {
+    const MethodParameter& p = find_parameter(method, parameter);
+    for (std::size_t i = 0; i < p.names.size(); ++i)
+        if (p.names[i] == word) return static_cast<double>(i);
+    throw std::invalid_argument("method parameter '" + parameter + "' is \"" + word + "\", must be " +
+                                (p.is_switch         ? "true or false"
+                                 : !p.names.empty() ? known_names(p)
+                                                    : "a number"));
+}
+
 std::map<std::string, double> resolve_parameters(const Method& method, const std::map<std::string, double>& given) {
     std::map<std::string, double> result;
     for (const MethodParameter& p : method.parameters) result[std::string(p.name)] = p.standard;

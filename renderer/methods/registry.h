@@ -17,6 +17,8 @@ struct MethodParameter {
     bool is_switch = false;  // 0 or 1
     // What trades error against time: the values that `compare` tries, coarse and quick ones first. Empty: left as it is.
     std::span<const double> sweep{};
+    // Over a procedural source, where any parameter of the method has it: these alone are tried.
+    std::span<const double> procedural_sweep{};
     std::span<const std::string_view> names{};  // of the values 0, 1, ...; empty: a number
     bool shapes_build = false;  // what is built depends on it: a change builds anew
 };
@@ -37,6 +39,8 @@ std::span<const Method* const> methods();  // the first is the default
 const Method& find_method(std::string_view name);
 // The value that a method's parameter calls `word`; nothing where no method knows it.
 std::optional<double> named_value(std::string_view parameter, std::string_view word);
+// The same of one method's parameter; std::invalid_argument lists the words that it knows.
+double parameter_word(const Method& method, const std::string& parameter, const std::string& word);
 // Every parameter, defaults filled in. std::invalid_argument on an unknown name or a value out of range.
 std::map<std::string, double> resolve_parameters(const Method& method, const std::map<std::string, double>& given);
 

@@ -130,6 +130,10 @@ bool JsonNode::is_boolean() const {
     return value_->is_boolean();
 }
 
+bool JsonNode::is_text() const {
+    return value_->is_string();
+}
+
 double JsonNode::number(const NumberRange& range) const {
     if (!value_->is_number()) fail("is " + kind() + ", must be a number");
     const double value = value_->get<double>();

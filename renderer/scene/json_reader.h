@@ -41,6 +41,7 @@ class JsonNode {
     bool is_object() const;
     bool is_array() const;
     bool is_boolean() const;
+    bool is_text() const;
 
     double number(const NumberRange& range = {}) const;
     int integer(int low, int high) const;

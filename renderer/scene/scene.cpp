@@ -178,6 +178,8 @@ MethodChoice read_method(const JsonNode& node) {
         const JsonNode value = node[key];
         if (key == "name") {
             method.name = value.text();
+        } else if (value.is_text()) {
+            method.words[key] = value.text();
         } else {
             method.parameters[key] = value.is_boolean() ? (value.boolean() ? 1.0 : 0.0) : value.number();
         }

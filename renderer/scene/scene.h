@@ -87,6 +87,7 @@ struct ImageSettings {
 struct MethodChoice {
     std::string name;                          // empty: the registry's default
     std::map<std::string, double> parameters;  // checked by the renderer's registry, not here
+    std::map<std::string, std::string> words{};  // parameters given by a word, which the registry knows
 };
 
 struct Scene {

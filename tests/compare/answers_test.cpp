@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "editor/session/compare/error_map.h"
 #include "editor/session/compare/image_error.h"
 #include "editor/session/compare/points.h"
@@ -40,6 +42,17 @@ TEST(Points, EveryMethodIsTriedAndEveryValueThatItsDescriptionSweeps) {
     for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(points[i].method->name, names[i]);
     EXPECT_EQ(comparison_points({"pdm"}).front().label, "pdm dt 0.02");
     EXPECT_EQ(comparison_points({"exact"}).front().label, "exact");
+}
+
+TEST(Points, OverAProceduralSourceDbvhIsSweptByRange) {
+    std::set<double> ranges;
+    for (const PointChoice& point : comparison_points({"dbvh"}, true)) {
+        EXPECT_FALSE(point.swept.contains("level"));
+        ranges.insert(point.swept.at("range"));
+    }
+    EXPECT_EQ(ranges, (std::set<double>{0, 8, 16, 64, 128, 256, 512}));
+    for (const PointChoice& point : comparison_points({"dbvh"})) EXPECT_FALSE(point.swept.contains("range"));
+    EXPECT_EQ(comparison_points({"march"}, true).size(), comparison_points({"march"}).size());
 }
 
 TEST(Answers, ComparesTimesAtEqualErrorByRounds) {

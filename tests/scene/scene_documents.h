@@ -168,7 +168,9 @@ inline constexpr SceneDocument kSceneDocuments[] = {
     {Verdict::good, R"("method": {"name": "pdm", "dt": 0.001, "jitter": true})", ""},
     {Verdict::bad, R"("method": "pdm")", "method: is a string, must be an object"},
     {Verdict::bad, R"("method": {"name": 3})", "method.name: is a number, must be a string"},
-    {Verdict::bad, R"("method": {"dt": "small"})", "method.dt: is a string, must be a number"},
+    {Verdict::good, R"("method": {"name": "dbvh", "leaf": "triangles"})", ""},  // the registry knows the words
+    {Verdict::bad, R"("method": {"dt": ""})", "method.dt: is an empty string"},
+    {Verdict::bad, R"("method": {"dt": [1]})", "method.dt: is an array, must be a number"},
 };
 
 }  // namespace relievo

@@ -123,6 +123,12 @@ TEST_F(SceneFiles, method_parameters_are_numbers_and_switches) {
               (std::map<std::string, double>{{"dt", 0.25}, {"jitter", 0}, {"correct_normals", 1}}));
 }
 
+TEST_F(SceneFiles, method_parameters_by_word_wait_for_the_registry) {
+    const Scene scene = load(R"("method": {"name": "dbvh", "leaf": "triangles", "level": 1})");
+    EXPECT_EQ(scene.method.words, (std::map<std::string, std::string>{{"leaf", "triangles"}}));
+    EXPECT_EQ(scene.method.parameters, (std::map<std::string, double>{{"level", 1}}));
+}
+
 TEST_F(SceneFiles, warnings_name_the_mesh) {
     write("flat.obj", kQuadObj + "f 1/1 1/2 2/3\n");
     const Scene scene = load_scene(write("s.json", R"({"relievo": 1, "objects": [{"mesh": "flat.obj"}]})"));

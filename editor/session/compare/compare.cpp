@@ -45,14 +45,17 @@ std::string file_name(std::string name) {
 }
 
 std::vector<SceneTask> make_tasks(const CompareOptions& options, const std::vector<std::string>& names) {
-    const std::vector<PointChoice> points = comparison_points(names);
     std::vector<SceneTask> tasks;
     std::map<std::string, int> seen;
     for (const fs::path& file : options.scenes) {
-        open_scene(file);  // what is wrong with any of them is told before an hour is spent on the others
+        // What is wrong with any of them is told before an hour is spent on the others.
+        const Scene scene = open_scene(file);
+        const bool procedural = std::any_of(scene.objects.begin(), scene.objects.end(), [](const auto& object) {
+            return object.displacement.procedural.has_value();
+        });
         std::string name = file_name(file.stem().string());
         if (const int count = ++seen[name]; count > 1) name.append("-").append(std::to_string(count));
-        tasks.push_back({file, name, points, options.width, options.height, options.path, options.folder});
+        tasks.push_back({file, name, comparison_points(names, procedural), options.width, options.height, options.path, options.folder});
     }
     return tasks;
 }

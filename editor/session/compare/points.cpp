@@ -1,6 +1,7 @@
 // See points.h.
 #include "editor/session/compare/points.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace relievo {
@@ -13,13 +14,16 @@ std::string swept_text(double value) {
 
 namespace {
 
-std::vector<PointChoice> sweep(const Method& method) {
+std::vector<PointChoice> sweep(const Method& method, bool procedural) {
     std::vector<PointChoice> points{{&method, {}, std::string(method.name)}};
+    const bool own = procedural && std::any_of(method.parameters.begin(), method.parameters.end(),
+                                               [](const auto& p) { return !p.procedural_sweep.empty(); });
     for (const MethodParameter& parameter : method.parameters) {
-        if (parameter.sweep.empty()) continue;
+        const std::span<const double> values = own ? parameter.procedural_sweep : parameter.sweep;
+        if (values.empty()) continue;
         std::vector<PointChoice> longer;
         for (const PointChoice& point : points) {
-            for (const double value : parameter.sweep) {
+            for (const double value : values) {
                 longer.push_back(point);
                 longer.back().swept[std::string(parameter.name)] = value;
                 longer.back().label.append(" ").append(parameter.name).append(" ").append(swept_text(value));
@@ -32,9 +36,9 @@ std::vector<PointChoice> sweep(const Method& method) {
 
 }  // namespace
 
-std::vector<PointChoice> comparison_points(const std::vector<std::string>& names) {
+std::vector<PointChoice> comparison_points(const std::vector<std::string>& names, bool procedural) {
     std::vector<std::vector<PointChoice>> sweeps;
-    for (const std::string& name : names) sweeps.push_back(sweep(find_method(name)));
+    for (const std::string& name : names) sweeps.push_back(sweep(find_method(name), procedural));
     std::vector<PointChoice> points;
     bool more = true;
     for (std::size_t i = 0; more; ++i) {

@@ -16,8 +16,8 @@ struct PointChoice {
 };
 
 // In the order in which a short budget should spend itself: the first point of every method, then the second
-// of every method, and so on; coarse and quick ones first.
-std::vector<PointChoice> comparison_points(const std::vector<std::string>& methods);
+// of every method, and so on; coarse and quick ones first. `procedural`: the scene's heights are.
+std::vector<PointChoice> comparison_points(const std::vector<std::string>& methods, bool procedural = false);
 
 std::string swept_text(double value);  // "0.0005"
 
