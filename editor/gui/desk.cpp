@@ -208,6 +208,11 @@ void Desk::set_view(View wanted) {
     attempt([&] { live.set_view(wanted); });
 }
 
+void Desk::show_mask(bool wanted) {
+    live.set_mask_shown(wanted);
+    toasts.info(wanted ? "The mask is shown darker" : "The mask is hidden; it protects all the same");
+}
+
 void Desk::split(bool wanted) {
     if (!wanted) {
         attempt([&] { live.compare_with(std::nullopt); });

@@ -94,6 +94,7 @@ class Desk {
     void toggle_symmetry(std::size_t axis);  // 0 to 2: x, y, z
     void choose_tool(std::size_t index);     // into tools(); beyond them, nothing happens
     void set_view(View view);
+    void show_mask(bool wanted);
     void split(bool wanted);  // the right part of the picture by the second method
     void set_second(const MethodChoice& method);
 

@@ -56,6 +56,8 @@ constexpr std::array kBindings{
             [](D& d, const K& k) { d.keep_camera(k.key - GLFW_KEY_0); }},
     Binding{"Ctrl + 1 to 4", "go back to the view that was kept", GLFW_KEY_1, GLFW_KEY_4, kControl,
             [](D& d, const K& k) { d.go_to_camera(k.key - GLFW_KEY_0); }},
+    Binding{"M", "hide and show the mask", GLFW_KEY_M, GLFW_KEY_M, 0,
+            [](D& d, const K&) { d.show_mask(!d.live.mask_shown()); }},
     Binding{"V, Shift + V", "the next view, and the one before", GLFW_KEY_V, GLFW_KEY_V, 0,
             [](D& d, const K&) { d.set_view(next_view(d.live.view(), 1)); }},
     Binding{"", "the view before", GLFW_KEY_V, GLFW_KEY_V, kShift,

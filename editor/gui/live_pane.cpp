@@ -206,6 +206,11 @@ double LivePane::trace(const PixelRect& window) {
         layers_.paint(window, choice_->palette);
     } else {
         ms = renderer_->render(window, Quality::preview);
+        if (veiled()) {
+            if (veil_.size() != renderer_size()) veil_.reset(renderer_size());
+            ms += renderer_->trace_layers(window);
+            veil_.collect(*renderer_, window);
+        }
     }
     learn(preview_ms_, ms, pixels(window));
     show(window);
@@ -271,10 +276,31 @@ void LivePane::finish_pass() {
 void LivePane::show(const PixelRect& window) {
     if (shows_layers()) {
         picture_.write(layers_.rgba(), layers_.size(), window);
+    } else if (veiled() && veil_.size() == renderer_size()) {
+        veil_.take(picture_.read(*renderer_, window), window);
+        show_veiled(window);
     } else {
         picture_.copy(*renderer_, window);
     }
     changed_ = true;
+}
+
+void LivePane::show_veiled(const PixelRect& window) {
+    veil_.paint(window, choice_->veil ? session_->mask() : nullptr,
+                session_->scene().objects.front().displacement.wrap);
+    picture_.write(veil_.rgba(), veil_.size(), window);
+    changed_ = true;
+}
+
+// Nothing is traced again where it is known what lies under each pixel.
+void LivePane::mask_changed() {
+    if (in_stroke_ || shows_layers() || phase_ == Phase::moving) return;
+    if (veil_.knows_all() && veil_.size() == renderer_size()) {
+        show_veiled(whole());
+    } else {
+        restart();
+    }
+    if (!choice_->veil) veil_.reset({});
 }
 
 // What is stale keeps its old colours until it is traced.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "editor/gui/layer_image.h"
+#include "editor/gui/mask_veil.h"
 #include "editor/gui/picture.h"
 #include "editor/gui/stale_tiles.h"
 #include "editor/session/session.h"
@@ -27,6 +28,7 @@ struct ViewChoice {
     int reduction = 1;       // at most one of so many pixels each way is traced
     int sample_limit = 256;  // a pixel
     Palette palette;
+    bool veil = false;  // a mask is there, and to be shown over light
 };
 
 class LivePane {
@@ -50,6 +52,9 @@ class LivePane {
     // The palette, or what it refers to, has changed; a window of the renderer's pixels.
     void repaint(const PixelRect& window);
 
+    // The mask, or whether it is shown, has changed other than by the stroke under way.
+    void mask_changed();
+
     // Traces the most wanted piece, about `slice_ms` worth of it; in motion a whole frame of about
     // `moving_ms`, and then returns true.
     bool step(double slice_ms, double moving_ms);
@@ -70,6 +75,8 @@ class LivePane {
     using Clock = std::chrono::steady_clock;
 
     bool shows_layers() const { return gui::shows_layers(choice_->palette.view); }
+    bool veiled() const { return choice_->veil && !shows_layers(); }
+    void show_veiled(const PixelRect& window);
     PixelSize renderer_size() const { return {renderer_->width(), renderer_->height()}; }
     PixelRect whole() const { return {0, 0, renderer_->width(), renderer_->height()}; }
     void set_renderer_size(PixelSize size);
@@ -89,6 +96,7 @@ class LivePane {
     const ViewChoice* choice_;
     Picture picture_;
     LayerImage layers_;
+    MaskVeil veil_;
     Phase phase_ = Phase::moving;
     Clock::time_point last_motion_{}, sampling_since_{};
     int shown_x0_ = 0, shown_x1_ = 1;

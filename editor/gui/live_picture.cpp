@@ -122,10 +122,12 @@ void LivePicture::after_dab() {
 }
 void LivePicture::end_stroke(bool changed) {
     for (auto& pane : panes_) pane->end_stroke(changed);
+    if (choice_.veil) follow_mask();  // what the stroke's window left out: copies by symmetry
 }
 
 bool LivePicture::idle() const {
-    return std::all_of(panes_.begin(), panes_.end(), [](const auto& pane) { return pane->idle(); });
+    return mask_seen_ == session_->mask_revision() &&
+           std::all_of(panes_.begin(), panes_.end(), [](const auto& pane) { return pane->idle(); });
 }
 
 bool LivePicture::all_covered() const {
@@ -164,6 +166,7 @@ void LivePicture::work(double budget_ms) {
     const auto share = static_cast<double>(panes_.size());
     bool moved = false;
     double left_ms = budget_ms;
+    if (mask_seen_ != session_->mask_revision()) follow_mask();
     do {
         if (idle()) break;
         const double slice_ms = std::clamp(left_ms, kLeastSliceMs, kSliceMs) / share;
@@ -174,6 +177,21 @@ void LivePicture::work(double budget_ms) {
     } while (!moved && left_ms > kLeastSliceMs);
     update_scale();
     follow_reference();
+}
+
+void LivePicture::set_mask_shown(bool shown) {
+    mask_shown_ = shown;
+    follow_mask();
+}
+
+// A mask that protects nothing costs nothing.
+void LivePicture::follow_mask() {
+    mask_seen_ = session_->mask_revision();
+    const HeightMap* mask = session_->mask();
+    const bool protects = mask && (session_->in_stroke() ||
+                                   std::ranges::any_of(mask->texels(), [](std::uint16_t t) { return t > 0; }));
+    choice_.veil = mask_shown_ && protects;
+    for (auto& pane : panes_) pane->mask_changed();
 }
 
 // The reference follows when the picture stands still; until then its last picture is not of this surface.

@@ -31,6 +31,10 @@ class LivePicture {
     void set_count(RayCount count);  // of the view `steps`
     const ColourScale& scale() const { return choice_.palette.scale; }
 
+    // Of the mask, where there is one and light is shown.
+    void set_mask_shown(bool shown);
+    bool mask_shown() const { return mask_shown_; }
+
     // The right part of the picture is traced by `method`; std::nullopt: one pane. Throws as Renderer does.
     void compare_with(const std::optional<MethodChoice>& method);
     bool is_split() const { return panes_.size() > 1; }
@@ -68,6 +72,7 @@ class LivePicture {
   private:
     using Clock = std::chrono::steady_clock;
     void show_strips();
+    void follow_mask();
     void follow_reference();
     void sum_up_errors(bool complete);
     bool all_covered() const;
@@ -81,6 +86,8 @@ class LivePicture {
     VkFormat format_;
     ViewChoice choice_;
     std::vector<std::unique_ptr<LivePane>> panes_;  // one or two
+    std::uint64_t mask_seen_ = 0;  // revision
+    bool mask_shown_ = true;
     double divider_ = 0.5;
     bool scale_due_ = true, scale_is_first_ = true, errors_due_ = false;
     std::vector<ErrorSummary> errors_{2};

@@ -86,6 +86,28 @@ void Picture::copy(const Renderer& renderer, const PixelRect& window) {
     });
 }
 
+std::vector<std::uint8_t> Picture::read(const Renderer& renderer, const PixelRect& window) {
+    const auto width = static_cast<std::uint32_t>(window.x1 - window.x0);
+    const auto height = static_cast<std::uint32_t>(window.y1 - window.y0);
+    const std::size_t bytes = static_cast<std::size_t>(width) * height * 4;
+    if (reading_.bytes() < bytes)
+        reading_ = vulkan::Buffer(*context_, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::host);
+    VkBufferImageCopy download{};
+    download.imageSubresource = kColor;
+    download.imageOffset = {window.x0, window.y0, 0};
+    download.imageExtent = {width, height, 1};
+    const auto source = static_cast<VkImage>(renderer.display_image().image);
+    commands_.run([&](VkCommandBuffer cmd) {
+        record_layout(cmd, source, VK_IMAGE_LAYOUT_GENERAL, kSource);
+        vkCmdCopyImageToBuffer(cmd, source, kSource, reading_.get(), 1, &download);
+        record_layout(cmd, source, kSource, VK_IMAGE_LAYOUT_GENERAL);
+        vulkan::memory_barrier(cmd);
+    });
+    std::vector<std::uint8_t> rgba(bytes);
+    std::memcpy(rgba.data(), reading_.mapped(), bytes);
+    return rgba;
+}
+
 void Picture::write(const std::vector<std::uint8_t>& rgba, PixelSize from, const PixelRect& window) {
     if (window.x0 >= window.x1 || window.y0 >= window.y1) return;
     const bool fresh = from != PixelSize{written_.width(), written_.height()};

@@ -25,7 +25,9 @@ class Picture {
     void resize(PixelSize size);
     // Takes a window of the renderer's image; where the sizes differ, the whole image is stretched.
     void copy(const Renderer& renderer, const PixelRect& window);
-    // The same from pixels of 4 bytes, sRGB-encoded, row 0 at the top: an image of `size` of which `window`
+    // A window of the renderer's image, as write() takes it, but of the window's pixels alone.
+    std::vector<std::uint8_t> read(const Renderer& renderer, const PixelRect& window);
+    // As copy(), from pixels of 4 bytes, sRGB-encoded, row 0 at the top: an image of `size` of which `window`
     // counts.
     void write(const std::vector<std::uint8_t>& rgba, PixelSize size, const PixelRect& window);
     // Records the copy of the columns x0 to x1 to an image in layout TRANSFER_DST_OPTIMAL, in which the
@@ -40,7 +42,7 @@ class Picture {
     vulkan::Commands commands_;
     vulkan::Image image_;    // in layout TRANSFER_SRC_OPTIMAL between calls
     vulkan::Image written_;  // of write(): likewise
-    vulkan::Buffer staging_;
+    vulkan::Buffer staging_, reading_;
 };
 
 // Columns of a picture that are on screen.

@@ -128,6 +128,36 @@ def modifiers_and_cancel(case):
     case.same_bytes(saved, replayed)
 
 
+def mask_is_shown_darker_and_in_no_journal(case):
+    editor = case.open(case.journal)
+
+    def look():
+        case.desktop.do("mousemove", 300, 30)
+        return case.desktop.settled_screen()
+
+    def brightness(screen):
+        pixels = screen.box(*NEAR)
+        return sum(pixels) / len(pixels)
+
+    before = look()
+    case.desktop.key("shift+4")
+    assert case.stroke(case.journal)["brush"]["tool"] == "mask"
+    masked = look()
+    assert brightness(masked) < brightness(before) - 2, (brightness(masked), brightness(before))
+    assert difference(before, masked, FAR) < 0.5
+    count = len(operations(case.journal))
+    case.desktop.key("m")
+    hidden = look()
+    assert difference(before, hidden, NEAR) < 1, difference(before, hidden, NEAR)
+    case.desktop.key("m")
+    assert difference(masked, look(), NEAR) < 1
+    assert len(operations(case.journal)) == count, operations(case.journal)[count:]
+    case.desktop.key("ctrl+z")
+    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
+    assert difference(before, look(), NEAR) < 1
+    editor.kill()
+
+
 def crash_offers_recovery(case):
     editor = case.open()
     case.desktop.drag(STROKE)
@@ -149,6 +179,41 @@ def crash_offers_recovery(case):
     editor.ended()
     case.same_bytes(expected, restored)
     assert not case.recovery_journals()
+
+
+def moving_tools_and_mask_survive_a_kill(case):
+    """Mask, then grab, smear and draw beside it, mirrored: a save, kill -9, Restore, and all bytes are the same."""
+    editor = case.open()
+    case.desktop.key("shift+4")
+    case.desktop.drag(STROKE[:12])
+    journal = wait_for("the recovery journal", case.recovery_journals)[0]
+    wait_for("the mask's stroke in it", lambda: strokes(journal))
+    case.desktop.key("x")
+    for key in ("shift+1", "shift+2", "1"):
+        case.desktop.key(key)
+        case.stroke(journal)
+    saved, restored = os.path.join(case.folder, "saved.tif"), os.path.join(case.folder, "restored.tif")
+    editor.save_as(saved)
+    case.desktop.key("shift+2")
+    case.stroke(journal)
+    assert [s["brush"]["tool"] for s in strokes(journal)] == ["mask", "grab", "smear", "draw", "smear"]
+    assert all(s["brush"]["mirror_x"] for s in strokes(journal)[1:]), strokes(journal)
+    editor.kill()
+    kept = shutil.copy(journal, os.path.join(case.folder, "kept.jsonl"))
+    expected = os.path.join(case.folder, "expected.tif")
+    case.replay(kept, expected)
+
+    editor = case.open()
+    case.desktop.key("Return")  # Restore
+    wait_for("the journal to be replayed", lambda: not os.path.exists(journal))
+    editor.focus()
+    editor.screenshot()
+    editor.save_as(restored)
+    case.desktop.key("ctrl+q")
+    editor.ended()
+    case.same_bytes(expected, restored)
+    with open(saved, "rb") as a, open(restored, "rb") as b:
+        assert a.read() != b.read(), "the last stroke changed nothing"
 
 
 def quit_asks_for_unsaved_work(case):
@@ -359,7 +424,8 @@ def no_display(case):
 
 def main():
     cases = {function.__name__: function
-             for function in (stroke_saves_and_replays, modifiers_and_cancel, crash_offers_recovery,
+             for function in (stroke_saves_and_replays, mask_is_shown_darker_and_in_no_journal, modifiers_and_cancel,
+                              crash_offers_recovery, moving_tools_and_mask_survive_a_kill,
                               quit_asks_for_unsaved_work, resized_and_reopened, views_show_the_surface_each_in_its_way,
                               two_methods_side_by_side_while_sculpting, why_this_pixel_lists_its_ray,
                               first_start_opens_the_sample_with_a_hint,
