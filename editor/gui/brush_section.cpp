@@ -93,6 +93,7 @@ void draw_brush_section(Desk& desk) {
     brush_rows(desk);
     row_label("Falloff");
     falloff_combo(desk);
+    draw_falloff_preview(desk.session.brush());
     stroke_rows(desk);
     mask_row(desk);
 }
