@@ -252,6 +252,27 @@ TEST_F(Program, ParametersTakeTheNamesOfTheirValues) {
                    "method parameter 'leaf' is 4, must be 0 (box), 1 (triangles), 2 (bilinear), 3 (bspline)");
 }
 
+TEST_F(Program, SceneFilesTakeTheNamesOfValuesToo) {
+    if (!test::have_device()) GTEST_SKIP() << "no Vulkan device with ray tracing";
+    const auto with = [&](const std::string& method) {
+        write_text(path("words.json"),
+                   R"({"relievo": 1, "objects": [{"mesh": "sheet.obj"}], "method": )" + method + "}");
+        return path("words.json");
+    };
+    for (const char* leaf : {"\"triangles\"", "1"}) {
+        const Outcome outcome =
+            run_program({"explain", with(R"({"name": "dbvh", "leaf": )" + std::string(leaf) + "}")});
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_NE(outcome.out.find("leaf triangles, level 0"), std::string::npos) << outcome.out;
+    }
+    expect_refused({"explain", with(R"({"name": "dbvh", "leaf": "balls"})")},
+                   "words.json: method: method parameter 'leaf' is \"balls\", must be 0 (box), 1 (triangles), 2 "
+                   "(bilinear), 3 (bspline)");
+    expect_refused({"explain", with(R"({"name": "pdm", "dt": "small"})")},
+                   "words.json: method: method parameter 'dt' is \"small\", must be a number");
+    expect_refused({"explain", with(R"({"name": "pdm", "leaf": "box"})")}, "has no parameter 'leaf'");
+}
+
 TEST_F(Program, ExplainSaysWhatIsBuiltAndWhyInText) {
     if (!test::have_device()) GTEST_SKIP() << "no Vulkan device with ray tracing";
     const Outcome outcome = run_program({"explain", scene_, "--method", "pdm", "--set", "dt=0.01"});
