@@ -24,10 +24,20 @@ void Recorder::record(const JournalOp& op) {
     try {
         if (recovery_wanted_ && !recovery_) open_recovery();
         if (recovery_) recovery_->append(op);
-        if (journal_) journal_->append(op);
+        if (journal_) journal_->append(beside_journal(op));
     } catch (const std::exception& error) {
         trouble_ = error.what();
     }
+}
+
+// An image named from the journal's folder, so that both can move together.
+JournalOp Recorder::beside_journal(const JournalOp& op) const {
+    const auto* stroke = std::get_if<StrokeOp>(&op);
+    if (!stroke || !stroke->alpha) return op;
+    StrokeOp moved = *stroke;
+    const fs::path folder = fs::absolute(journal_->path()).parent_path();
+    if (fs::path file = moved.alpha->file.lexically_relative(folder); !file.empty()) moved.alpha->file = file;
+    return moved;
 }
 
 void Recorder::keep_base(const fs::path& map) {

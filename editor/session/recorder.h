@@ -30,6 +30,7 @@ class Recorder {
 
   private:
     void open_recovery();
+    JournalOp beside_journal(const JournalOp& op) const;
 
     JournalHeader header_;
     std::filesystem::path start_map_;
