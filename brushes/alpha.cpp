@@ -22,11 +22,10 @@ void check(const std::filesystem::path& path, int width, int height, const std::
                                     std::to_string(width) + " x " + std::to_string(height) + " pixels");
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!std::isfinite(values[i]))
-            throw std::invalid_argument(
-                where + (std::isnan(values[i]) ? "NaN" : "infinity") + " at pixel (" +
-                std::to_string(i % static_cast<std::size_t>(width)) + ", " +
-                std::to_string(i / static_cast<std::size_t>(width)) +
-                "), counted from the lower left; every value must be finite");
+            throw std::invalid_argument(where + (std::isnan(values[i]) ? "NaN" : "infinity") + " at pixel (" +
+                                        std::to_string(i % static_cast<std::size_t>(width)) + ", " +
+                                        std::to_string(i / static_cast<std::size_t>(width)) +
+                                        "), counted from the lower left; every value must be finite");
 }
 
 }  // namespace
@@ -47,7 +46,8 @@ Alpha::Alpha(std::filesystem::path path, int width, int height, std::vector<floa
     while (levels_.back().width > 1 || levels_.back().height > 1) {
         const Level& fine = levels_.back();
         Level coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}};
-        coarse.values.reserve(static_cast<std::size_t>(coarse.width) * static_cast<std::size_t>(coarse.height));
+        coarse.values.reserve(static_cast<std::size_t>(coarse.width) *
+                              static_cast<std::size_t>(coarse.height));
         const auto value = [&](int x, int y) {
             x = std::min(x, fine.width - 1), y = std::min(y, fine.height - 1);
             return double{fine.values[static_cast<std::size_t>(y) * static_cast<std::size_t>(fine.width) +

@@ -1,8 +1,8 @@
 // The grey image that the stamp tool presses into the surface.
 //
-// Where texels of the map lie further apart than its pixels, it is read from a pyramid of halved images, after
-// L. Williams, "Pyramidal Parametrics", SIGGRAPH 1983, so that a large image under a small brush does not
-// alias.
+// Where texels of the map lie further apart than its pixels, it is read from a pyramid of halved images,
+// after L. Williams, "Pyramidal Parametrics", SIGGRAPH 1983, so that a large image under a small brush does
+// not alias.
 #pragma once
 
 #include <cstdint>
@@ -46,9 +46,9 @@ class Alpha {
 };
 
 // Reads the first image of any file that OpenImageIO knows, of 8, 16 or 32 bits or float: its one channel, or
-// the luminance (ITU-R BT.709) of the first three, times the file's alpha channel where it has one. Stored values
-// count as they are, without colour management. Throws std::invalid_argument that names the file and says what
-// was wrong: missing, damaged, too large, a value that is not finite (with the pixel).
+// the luminance (ITU-R BT.709) of the first three, times the file's alpha channel where it has one. Stored
+// values count as they are, without colour management. Throws std::invalid_argument that names the file and
+// says what was wrong: missing, damaged, too large, a value that is not finite (with the pixel).
 std::shared_ptr<const Alpha> load_alpha(const std::filesystem::path& path);
 
 }  // namespace relievo

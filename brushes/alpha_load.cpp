@@ -53,8 +53,8 @@ std::shared_ptr<const Alpha> load_alpha(const fs::path& path) {
     values.reserve(pixels.size() / stride);
     for (int y = height - 1; y >= 0; --y)  // files have their top row first
         for (int x = 0; x < width; ++x) {
-            const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                               static_cast<std::size_t>(x);
+            const auto pixel =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
             values.push_back(grey(pixels.data() + pixel * stride, channels, alpha_channel));
         }
     return std::make_shared<const Alpha>(path, width, height, std::move(values));

@@ -1,4 +1,5 @@
-// The stamp: an image pressed into the surface, in a frame of world space, so that texture islands do not matter.
+// The stamp: an image pressed into the surface, in a frame of world space, so that texture islands do not
+// matter.
 #include <cmath>
 
 #include "brushes/alpha.h"

@@ -11,9 +11,9 @@ struct TangentFrame {  // right-handed, unit
     glm::dvec3 right, up, normal;
 };
 
-// The frame across a unit normal whose right lies as near as can be to `right`. Where that says nothing (it is
-// zero or along the normal), the x axis does, and near that the z axis turned round: a plane across z has x
-// and y.
+// The frame across a unit normal whose right lies as near as can be to `right`. Where that says nothing (it
+// is zero or along the normal), the x axis does, and near that the z axis turned round: a plane across z has
+// x and y.
 inline TangentFrame tangent_frame(glm::dvec3 normal, glm::dvec3 right = glm::dvec3(0)) {
     constexpr double kLeast = 1e-6;
     glm::dvec3 up = glm::cross(normal, right);

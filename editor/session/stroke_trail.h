@@ -1,5 +1,5 @@
-// Which way a stroke goes: from a point that follows it as a toy on a string follows the hand, so that the direction
-// changes evenly though the path is known only from pixel to pixel.
+// Which way a stroke goes: from a point that follows it as a toy on a string follows the hand, so that the
+// direction changes evenly though the path is known only from pixel to pixel.
 #pragma once
 
 #include <glm/geometric.hpp>

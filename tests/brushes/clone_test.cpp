@@ -13,7 +13,8 @@ constexpr float kAmplitude = 0.2f;
 
 // Counts at a place of the unit square: relief with features of a tenth, on the left only.
 double relief(double x, double y) {
-    const double fade = std::exp(-std::pow((x - 0.25) / 0.12, 4)), wave = std::sin(30 * x) * std::cos(27 * y + 1);
+    const double fade = std::exp(-std::pow((x - 0.25) / 0.12, 4)),
+                 wave = std::sin(30 * x) * std::cos(27 * y + 1);
     return 30000 + fade * (7000 * wave + 4000 * std::sin(55 * (x + y)));
 }
 
@@ -46,7 +47,8 @@ void clone_along(Sculptor& sculptor, const ChartSurface& surface, const Brush& b
 }
 
 struct Plane {
-    explicit Plane(int size = 256) : map(size, size), surface(map, {unit_chart(map)}, kAmplitude), sculptor(map, surface) {
+    explicit Plane(int size = 256)
+        : map(size, size), surface(map, {unit_chart(map)}, kAmplitude), sculptor(map, surface) {
         fill(map, [&](int x, int y) { return relief((x + 0.5) / size, (y + 0.5) / size); });
     }
     HeightMap map;
@@ -104,7 +106,8 @@ TEST(Clone, over_its_own_source_it_takes_what_was_there_before_the_stroke) {
 TEST(Clone, a_turn_is_followed) {
     Plane plane;
     Dab dab = plane.surface.dab(0.75, 0.5);
-    dab.drag = {0, 0, static_cast<std::int32_t>(std::lround(std::sqrt(0.5) * Dab::kDragOne))};  // a quarter about z
+    dab.drag = {0, 0,
+                static_cast<std::int32_t>(std::lround(std::sqrt(0.5) * Dab::kDragOne))};  // a quarter about z
     const FacePoint from = point(plane.surface, {0.25, 0.5});
     plane.sculptor.begin(clone_brush());
     plane.sculptor.dab(dab, {}, std::span(&from, 1));
@@ -120,19 +123,22 @@ TEST(Clone, a_turn_is_followed) {
 
 TEST(Clone, from_one_island_to_another_of_other_turn_and_scale) {
     HeightMap map(256, 256);
-    const ChartSurface surface(map,
-                               {{{0, 0}, {0.5, 1}, {2, 0}, {96, 0}, {0, 96}},
-                                {{0.5, 0}, {1, 1}, {230, 20}, {0, 144}, {-144, 0}}},
-                               kAmplitude);
+    const ChartSurface surface(
+        map,
+        {{{0, 0}, {0.5, 1}, {2, 0}, {96, 0}, {0, 96}}, {{0.5, 0}, {1, 1}, {230, 20}, {0, 144}, {-144, 0}}},
+        kAmplitude);
     const auto broad = [](double x, double y) { return 30000 + 6000 * std::sin(12 * x) * std::cos(11 * y); };
     std::vector<SurfaceTexel> texels;
     surface.texels_in_ball({0.25f, 0.5f, 0.0f}, 0.6f, texels);
     for (const SurfaceTexel& t : texels)
         if (t.position.x < 0.5f)
-            map.set(t.x, t.y, static_cast<std::uint16_t>(std::lround(broad(double{t.position.x}, double{t.position.y}))));
+            map.set(
+                t.x, t.y,
+                static_cast<std::uint16_t>(std::lround(broad(double{t.position.x}, double{t.position.y}))));
     Sculptor sculptor(map, surface);
     clone_along(sculptor, surface, clone_brush(), {0.75, 0.45}, {0.75, 0.55}, {-0.5, 0.01});
-    surface.texels_in_ball({0.75f, 0.5f, surface.at(point(surface, {0.75, 0.5}).face, 0, 0).position.z}, 0.2f, texels);
+    surface.texels_in_ball({0.75f, 0.5f, surface.at(point(surface, {0.75, 0.5}).face, 0, 0).position.z}, 0.2f,
+                           texels);
     double largest = 0;
     std::size_t count = 0;
     for (const SurfaceTexel& t : texels) {
@@ -161,10 +167,12 @@ TEST(Clone, needs_a_source_for_every_dab_and_no_other_tool_takes_one) {
     const std::uint64_t hash = plane.map.hash();
     plane.sculptor.begin(clone_brush());
     EXPECT_THROW(plane.sculptor.dab(plane.surface.dab(0.75, 0.5)), std::out_of_range);
-    EXPECT_THROW(plane.sculptor.dab(plane.surface.dab(0.75, 0.5), {}, std::span(&nowhere, 1)), std::out_of_range);
+    EXPECT_THROW(plane.sculptor.dab(plane.surface.dab(0.75, 0.5), {}, std::span(&nowhere, 1)),
+                 std::out_of_range);
     plane.sculptor.cancel();
     plane.sculptor.begin(Brush{});
-    EXPECT_THROW(plane.sculptor.dab(plane.surface.dab(0.75, 0.5), {}, std::span(&from, 1)), std::out_of_range);
+    EXPECT_THROW(plane.sculptor.dab(plane.surface.dab(0.75, 0.5), {}, std::span(&from, 1)),
+                 std::out_of_range);
     plane.sculptor.cancel();
     EXPECT_EQ(plane.map.hash(), hash);
 }

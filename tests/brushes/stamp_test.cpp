@@ -20,8 +20,8 @@ std::shared_ptr<const Alpha> painted(int width, int height, Value value) {
     const double longer = std::max(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            values.push_back(static_cast<float>(
-                value((2.0 * x + 1 - width) / longer, (2.0 * y + 1 - height) / longer)));
+            values.push_back(
+                static_cast<float>(value((2.0 * x + 1 - width) / longer, (2.0 * y + 1 - height) / longer)));
     return std::make_shared<const Alpha>("painted", width, height, std::move(values));
 }
 
@@ -40,7 +40,8 @@ Brush stamp_brush() {
 }
 
 struct Plane {
-    explicit Plane(int size = 256) : map(size, size), surface(map, {unit_chart(map)}, kAmplitude), sculptor(map, surface) {}
+    explicit Plane(int size = 256)
+        : map(size, size), surface(map, {unit_chart(map)}, kAmplitude), sculptor(map, surface) {}
 
     void press(const Brush& brush, std::shared_ptr<const Alpha> alpha, glm::dvec2 at, glm::dvec3 right = {}) {
         sculptor.begin(brush, std::move(alpha));
@@ -50,7 +51,8 @@ struct Plane {
     void dab(glm::dvec2 at, glm::dvec3 right = {}) {
         Dab dab = surface.dab(at.x, at.y);
         for (int k = 0; k < 3; ++k)
-            dab.drag[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(std::lround(right[k] * Dab::kDragOne));
+            dab.drag[static_cast<std::size_t>(k)] =
+                static_cast<std::int32_t>(std::lround(right[k] * Dab::kDragOne));
         sculptor.dab(dab);
     }
     // The largest difference to 32768 + `rise` (counts, of the place over the radius from `at`) in the ball.
@@ -155,14 +157,14 @@ TEST(Stamp, fine_patterns_under_a_small_brush_become_their_mean) {
     EXPECT_LE(plane.largest_error({0.5, 0.5}, [](glm::dvec2) { return 0.5 * kFull; }), 1.0);
 }
 
-// The unit square cut at x = 0.5: the left half upright, the right one turned by a quarter and at 1.5 times the
-// scale.
+// The unit square cut at x = 0.5: the left half upright, the right one turned by a quarter and at 1.5 times
+// the scale.
 TEST(Stamp, over_islands_of_other_turn_and_scale_it_goes_on_unbroken) {
     HeightMap map(256, 256);
-    const ChartSurface surface(map,
-                               {{{0, 0}, {0.5, 1}, {2, 0}, {96, 0}, {0, 96}},
-                                {{0.5, 0}, {1, 1}, {230, 20}, {0, 144}, {-144, 0}}},
-                               kAmplitude);
+    const ChartSurface surface(
+        map,
+        {{{0, 0}, {0.5, 1}, {2, 0}, {96, 0}, {0, 96}}, {{0.5, 0}, {1, 1}, {230, 20}, {0, 144}, {-144, 0}}},
+        kAmplitude);
     Sculptor sculptor(map, surface);
     sculptor.begin(stamp_brush(), painted(512, 512, hills));
     sculptor.dab(surface.dab(0.47, 0.5));

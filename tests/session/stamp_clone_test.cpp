@@ -1,5 +1,5 @@
-// Stamp and clone in a session: what journals hold of them, replay to the byte, sources that move along, and every
-// kind of wrong line or image.
+// Stamp and clone in a session: what journals hold of them, replay to the byte, sources that move along, and
+// every kind of wrong line or image.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
@@ -60,7 +60,8 @@ std::uint64_t record(const TemporaryFolder& folder, const std::filesystem::path&
     return session.map().hash();
 }
 
-std::string replay_error(const TemporaryFolder& folder, const std::filesystem::path& journal, bool force = false) {
+std::string replay_error(const TemporaryFolder& folder, const std::filesystem::path& journal,
+                         bool force = false) {
     Session session(folder.path() / "scene.json", headless());
     const std::uint64_t before = session.map().hash();
     ReplayOptions options;
@@ -106,8 +107,8 @@ TEST(StampAndClone, AnImageThatIsMissingOrChangedIsOneClearErrorBeforeAnythingIs
     const std::string old_hash = hash_text(load_alpha(recorded.image)->hash());
     write_alpha(recorded.image, 201);
     EXPECT_EQ(replay_error(recorded.folder, recorded.journal),
-              "a.jsonl:3: alpha '" + recorded.image.string() + "': the image has changed: recorded with " + old_hash +
-                  ", it is " + hash_text(load_alpha(recorded.image)->hash()) +
+              "a.jsonl:3: alpha '" + recorded.image.string() + "': the image has changed: recorded with " +
+                  old_hash + ", it is " + hash_text(load_alpha(recorded.image)->hash()) +
                   "; put the recorded image back, or give --force");
     EXPECT_EQ(replay_error(recorded.folder, recorded.journal, true), "no error");
     std::filesystem::remove(recorded.image);
@@ -118,7 +119,8 @@ TEST(StampAndClone, AnImageThatIsMissingOrChangedIsOneClearErrorBeforeAnythingIs
 TEST(StampAndClone, LinesThatLackWhatTheToolNeedsAreRefused) {
     const auto error_of = [](const std::string& stroke) {
         const TemporaryFolder folder;
-        test::write_text(folder.path() / "a.jsonl", "{\"relievo_journal\":1}\n{\"op\":\"stroke\"," + stroke + "}\n");
+        test::write_text(folder.path() / "a.jsonl",
+                         "{\"relievo_journal\":1}\n{\"op\":\"stroke\"," + stroke + "}\n");
         try {
             read_journal(folder.path() / "a.jsonl");
         } catch (const std::invalid_argument& error) {
@@ -127,7 +129,8 @@ TEST(StampAndClone, LinesThatLackWhatTheToolNeedsAreRefused) {
         }
         return std::string("no error");
     };
-    const std::string stamp = R"("brush":{"tool":"stamp"},"dabs":[])", clone = R"("brush":{"tool":"clone"},"dabs":)";
+    const std::string stamp = R"("brush":{"tool":"stamp"},"dabs":[])",
+                      clone = R"("brush":{"tool":"clone"},"dabs":)";
     EXPECT_EQ(error_of(stamp), "a.jsonl:2: alpha: is missing");
     EXPECT_EQ(error_of(stamp + R"(,"alpha":"a.png")"), "a.jsonl:2: alpha: is a string, must be an object");
     EXPECT_EQ(error_of(stamp + R"(,"alpha":{"file":"a.png"})"), "a.jsonl:2: alpha: hash: is missing");
@@ -148,10 +151,11 @@ TEST(StampAndClone, LinesThatLackWhatTheToolNeedsAreRefused) {
 TEST(StampAndClone, ASourceOnNoFaceIsNamedByLine) {
     const TemporaryFolder folder;
     write_scene(folder.path());
-    test::write_text(folder.path() / "a.jsonl",
-                     "{\"relievo_journal\":1}\n"
-                     R"({"op":"stroke","brush":{"tool":"clone"},"dabs":[[0,0,0,0,1]],"sources":[[[128,0,0]]]})"
-                     "\n");
+    test::write_text(
+        folder.path() / "a.jsonl",
+        "{\"relievo_journal\":1}\n"
+        R"({"op":"stroke","brush":{"tool":"clone"},"dabs":[[0,0,0,0,1]],"sources":[[[128,0,0]]]})"
+        "\n");
     EXPECT_EQ(replay_error(folder, folder.path() / "a.jsonl"),
               "a.jsonl:2: sources[0]: names face 128, the mesh has 128 faces, counted from 0");
 }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kPixelsPerUnit = 100;
 
-// Parallel rays down on the square [0, 8] x [0, 8] of the plane z = 0, with a gap where `gap` says so; the picture's
-// right is x.
+// Parallel rays down on the square [0, 8] x [0, 8] of the plane z = 0, with a gap where `gap` says so; the
+// picture's right is x.
 struct Table {
     std::vector<Dab> dabs;
     std::function<bool(double x)> gap = [](double) { return false; };
@@ -101,7 +101,8 @@ TEST(StampInput, ACircleTurnsTheStampsEvenlyThoughEventsLieOnWholePixels) {
     for (std::size_t i = 10; i < table.dabs.size(); ++i) {  // once the lag has settled
         const glm::dvec2 out = table.place(i) - glm::dvec2(4);
         const double tangent = std::atan2(out.x, -out.y) * 180 / 3.14159265358979323846;
-        const double lag = std::asin(0.25 / 2) * 180 / 3.14159265358979323846;  // of a toy on a string of 0.25
+        const double lag =
+            std::asin(0.25 / 2) * 180 / 3.14159265358979323846;  // of a toy on a string of 0.25
         EXPECT_NEAR(std::remainder(tangent - table.degrees(i), 360), lag, 1.5) << i;
     }
 }
@@ -138,7 +139,8 @@ TEST(StampInput, BehindAGapTheFirstStampWaitsForItsOwnDirection) {
 TEST(StampInput, BatchesOfEventsDoNotMatterAndJitterComesFromTheSeed) {
     std::vector<PointerEvent> events{{0, 100, 300, 1}};
     for (int i = 1; i < 200; ++i)
-        events.push_back({static_cast<std::uint64_t>(i) * 3000, 100 + 3.0 * i, 300 + 60 * std::sin(0.07 * i), 1});
+        events.push_back(
+            {static_cast<std::uint64_t>(i) * 3000, 100 + 3.0 * i, 300 + 60 * std::sin(0.07 * i), 1});
     StrokeSettings settings = along();
     settings.rotation_jitter = 40;
     const auto run = [&](std::uint32_t seed) {

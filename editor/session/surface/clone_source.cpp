@@ -57,7 +57,8 @@ CloneSource::Place CloneSource::foreseen(const MeshSurface& surface, const FaceP
     }
     const glm::dvec3 vector(start.turn.x, start.turn.y, start.turn.z);
     for (int k = 0; k < 3; ++k)
-        place.turn[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(std::lround(vector[k] * Dab::kDragOne));
+        place.turn[static_cast<std::size_t>(k)] =
+            static_cast<std::int32_t>(std::lround(vector[k] * Dab::kDragOne));
     return place;
 }
 

@@ -1,4 +1,5 @@
-// Where the clone tool takes its relief from: a point that the user sets, and that moves along with the stroke.
+// Where the clone tool takes its relief from: a point that the user sets, and that moves along with the
+// stroke.
 #pragma once
 
 #include <array>
@@ -21,14 +22,14 @@ class CloneSource {
     void set(const FacePoint& source);
     bool is_set() const { return source_.has_value(); }
 
-    // `aligned`: a later stroke goes on with the offset of the first one after set(); else every stroke begins at
-    // the point that was set. cancel() forgets what begin() to now has settled.
+    // `aligned`: a later stroke goes on with the offset of the first one after set(); else every stroke
+    // begins at the point that was set. cancel() forgets what begin() to now has settled.
     void begin(bool aligned);
     void cancel() { start_ = start_before_; }
 
-    // Of a dab at `target`: the stroke's first settles the offset. From there on the source is the point of the
-    // base mesh nearest to where the rigid movement from the first target to the first source takes the dab's
-    // base point. Requires is_set().
+    // Of a dab at `target`: the stroke's first settles the offset. From there on the source is the point of
+    // the base mesh nearest to where the rigid movement from the first target to the first source takes the
+    // dab's base point. Requires is_set().
     Place at(const MeshSurface& surface, const FacePoint& target);
     // The same, without settling anything: what a dab there would take.
     Place foreseen(const MeshSurface& surface, const FacePoint& target) const;
