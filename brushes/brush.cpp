@@ -10,7 +10,8 @@
 namespace relievo {
 namespace {
 
-constexpr ToolSet kRaising = tool_set({Tool::draw, Tool::inflate, Tool::clay, Tool::crease, Tool::noise, Tool::stamp});
+constexpr ToolSet kRaising =
+    tool_set({Tool::draw, Tool::inflate, Tool::clay, Tool::crease, Tool::noise, Tool::stamp});
 
 constexpr std::array kParameters{
     BrushParameter{"radius", "world units", "Reach of the brush on the displaced surface, as a 3D distance",
@@ -39,7 +40,8 @@ constexpr std::array kParameters{
 };
 
 constexpr std::array kFlags{
-    BrushFlag{"invert", "The opposite: draw and stamp lower, pinch spreads, clay scrapes, crease raises, mask frees",
+    BrushFlag{"invert",
+              "The opposite: draw and stamp lower, pinch spreads, clay scrapes, crease raises, mask frees",
               false, &Brush::invert, kRaising | tool_set({Tool::pinch, Tool::mask})},
     BrushFlag{"accumulate", "Each pass of a stroke adds to the last; off, a stroke has one height throughout",
               true, &Brush::accumulate, tool_set({Tool::draw, Tool::inflate, Tool::noise, Tool::stamp})},

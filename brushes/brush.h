@@ -33,7 +33,8 @@ enum class Falloff : std::uint8_t { smooth, linear, sharp, constant };
 struct Brush {
     Tool tool = Tool::draw;
     Falloff falloff = Falloff::smooth;
-    bool invert = false;  // the opposite: draw and stamp lower, pinch spreads, clay scrapes, crease raises, mask frees
+    bool invert =
+        false;  // the opposite: draw and stamp lower, pinch spreads, clay scrapes, crease raises, mask frees
     float radius = 0.1f;  // world units, > 0
     float strength = 0.5f;   // [0, 1]; what it means for each tool stands in brushes/dab_tools.h
     float hardness = 0.0f;   // [0, 1): the inner fraction of the radius at full strength

@@ -67,8 +67,8 @@ void apply(const Work& work) {
 }  // namespace
 
 bool adds_up(const Brush& brush) {
-    constexpr ToolSet kTowardsTarget =
-        tool_set({Tool::smooth, Tool::flatten, Tool::level, Tool::erase, Tool::clay, Tool::clone, Tool::mask});
+    constexpr ToolSet kTowardsTarget = tool_set(
+        {Tool::smooth, Tool::flatten, Tool::level, Tool::erase, Tool::clay, Tool::clone, Tool::mask});
     return brush.accumulate && !holds(kTowardsTarget, brush.tool);
 }
 

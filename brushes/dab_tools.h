@@ -10,7 +10,8 @@
 //   inflate  as draw, over the cosine between the relief's normal and the base's (at least kLeastCosine): the
 //            relief moves along its own normal, so that slopes grow sideways.
 //   noise    as draw, times a noise of [-1, 1] at the texel's place on the base mesh.
-//   stamp    raises by rise times the image's value, at every dab: one press. Without accumulate, a stroke raises
+//   stamp    raises by rise times the image's value, at every dab: one press. Without accumulate, a stroke
+//   raises
 //            a texel by the most that any press wants. The image lies in the plane across the base normal at
 //            the dab's centre, its longer side as wide as the brush, and is cut off by the falloff.
 //   crease   lowers as draw by rise * spacing * f^2, and pinches half as much as pinch.
@@ -29,9 +30,9 @@
 //            laid on that at the source, turned as the dab says.
 //   grab     moves what the first dab held by s * f of the hand's drag, its relief along the surface and its
 //            height by the drag's part along the normal.
-// invert turns draw, stamp, inflate, noise, clay, crease, pinch and mask round. Where the mask protects a texel, s
-// is less by as much. No tool but mask does anything where the amplitude is 0, not finite, or so small that a
-// count has no size.
+// invert turns draw, stamp, inflate, noise, clay, crease, pinch and mask round. Where the mask protects a
+// texel, s is less by as much. No tool but mask does anything where the amplitude is 0, not finite, or so
+// small that a count has no size.
 #pragma once
 
 #include <memory>
@@ -63,8 +64,8 @@ struct DabPlace {
     float share;                  // of the strength, [0, 1]: copies by symmetry that overlap share it
     std::shared_ptr<Hold>& hold;  // of the stroke, null at first
     glm::vec3 hand{0};            // Dab::drag over kDragOne
-    const Alpha* alpha = nullptr;            // of stamp; not null there
-    const SurfacePoint* source = nullptr;    // of clone; not null there
+    const Alpha* alpha = nullptr;          // of stamp; not null there
+    const SurfacePoint* source = nullptr;  // of clone; not null there
 };
 
 // What a dab wants of one texel: changes since the stroke began, in counts, as StrokeTiles keeps them.

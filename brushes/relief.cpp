@@ -84,8 +84,8 @@ Relief::Relief(const Work& work, glm::vec3 centre, float reach) : centre_(centre
 }
 
 Relief::Relief(const Work& work, const SurfacePoint& about, float reach) : centre_(about.base) {
-    // High relief takes texels out of the ball that stand near the centre on the base mesh: a larger ball finds
-    // them.
+    // High relief takes texels out of the ball that stand near the centre on the base mesh: a larger ball
+    // finds them.
     constexpr int kMostRounds = 6;
     const glm::vec3 n = about.base_normal;
     const auto beside = [&](glm::vec3 place) { return place - n * glm::dot(place - about.base, n); };
@@ -112,7 +112,8 @@ Relief::Relief(const Work& work, const SurfacePoint& about, float reach) : centr
     make_grids(texels, sites, ball + margin);
 }
 
-void Relief::make_grids(const std::vector<SurfaceTexel>& texels, const std::vector<Site>& sites, float reach) {
+void Relief::make_grids(const std::vector<SurfaceTexel>& texels, const std::vector<Site>& sites,
+                        float reach) {
     double fit_reach = kReach * texel_spacing(texels, sites, static_cast<double>(reach));
     for (std::size_t level = 0; level < kLevels; ++level, fit_reach *= kWidening)
         grids_.push_back(make_grid(sites, centre_, fit_reach));

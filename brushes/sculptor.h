@@ -39,8 +39,8 @@ class Sculptor {
     // symmetry_copies() but the first (brushes/symmetry.h); another number throws std::out_of_range. All of a
     // dab's copies are worked out on the same state of the map, then applied together.
     //
-    // `sources`: where the clone tool takes the relief from, for the dab itself and then for each of its copies;
-    // none for other tools. Another number throws std::out_of_range.
+    // `sources`: where the clone tool takes the relief from, for the dab itself and then for each of its
+    // copies; none for other tools. Another number throws std::out_of_range.
     void begin(const Brush& brush, std::shared_ptr<const Alpha> alpha = {});
     std::vector<TexelRect> dab(const Dab& dab, std::span<const FacePoint> copies = {},
                                std::span<const FacePoint> sources = {});

@@ -9,13 +9,6 @@
 namespace relievo {
 namespace {
 
-// Turned anticlockwise as seen from outside.
-TangentFrame turned(const TangentFrame& frame, double degrees) {
-    const double angle = degrees * (3.14159265358979323846 / 180.0);
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {c * frame.right + s * frame.up, c * frame.up - s * frame.right, frame.normal};
-}
-
 // Of the texels, from how many the ball holds, over its radius.
 double texel_spacing(std::size_t texels) {
     return std::sqrt(3.14159265358979323846 / static_cast<double>(std::max(texels, std::size_t{1})));

@@ -23,4 +23,11 @@ inline TangentFrame tangent_frame(glm::dvec3 normal, glm::dvec3 right = glm::dve
     return {glm::cross(up, normal), up, normal};
 }
 
+// Turned about its normal, anticlockwise as seen from outside.
+inline TangentFrame turned(const TangentFrame& frame, double degrees) {
+    const double angle = degrees * (3.14159265358979323846 / 180.0);
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * frame.right + s * frame.up, c * frame.up - s * frame.right, frame.normal};
+}
+
 }  // namespace relievo

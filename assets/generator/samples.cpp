@@ -70,9 +70,8 @@ void make_sample(const Entry& entry, const Options& options) {
     const Atlas atlas(sculpture.shape);
     const fs::path maps = options.output / "maps";
     write_png(maps / (name + ".png"),
-              sculpture.exemplar
-                  ? paint(options.size, sculpture.exemplar)
-                  : atlas.paint(options.size, 65535, sculpture.height, sculpture.free_height),
+              sculpture.exemplar ? paint(options.size, sculpture.exemplar)
+                                 : atlas.paint(options.size, 65535, sculpture.height, sculpture.free_height),
               options.size, 16);
     if (sculpture.opacity)
         write_png(maps / (name + "_opacity.png"), atlas.paint(options.size, 255, sculpture.opacity, {}),

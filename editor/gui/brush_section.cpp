@@ -67,11 +67,14 @@ void stroke_rows(Desk& desk) {
         const bool other_unit =
             (parameter.value == &StrokeSettings::radius_px && settings.unit != RadiusUnit::screen) ||
             (parameter.value == &StrokeSettings::radius_texels && settings.unit != RadiusUnit::texel);
-        if (other_unit) continue;
+        if (other_unit || !holds(parameter.tools, desk.session.brush().tool)) continue;
         const bool decades = parameter.low > 0 && parameter.high / parameter.low > 50;
         const Range range{parameter.low, parameter.high, decades, parameter.high > 20 ? "%.0f" : "%.2f"};
         slider_row(readable(parameter.name), settings.*parameter.value, range, parameter.tooltip);
     }
+    for (const StrokeFlag& flag : stroke_flags())
+        if (holds(flag.tools, desk.session.brush().tool))
+            switch_row(readable(flag.name), settings.*flag.value, flag.tooltip);
 }
 
 void mask_row(Desk& desk) {
@@ -89,6 +92,7 @@ void mask_row(Desk& desk) {
 
 void draw_brush_section(Desk& desk) {
     if (!section("Brush")) return;
+    if (desk.session.brush().tool == Tool::stamp) draw_alpha_picker(desk);
     size_rows(desk);
     brush_rows(desk);
     row_label("Falloff");

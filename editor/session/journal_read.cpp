@@ -214,7 +214,8 @@ std::vector<std::vector<FacePoint>> read_points(const std::string& name, const F
 void read_extras(StrokeOp& op, const Fields& fields, const json& value, const std::string& where) {
     const auto wants = [&](const char* key, Tool tool, const char* name) {
         if (op.brush.tool == tool) return fields.at(key), true;
-        if (fields.has(key)) fields.fail(key, std::string("belongs to strokes of the ") + name + " tool alone");
+        if (fields.has(key))
+            fields.fail(key, std::string("belongs to strokes of the ") + name + " tool alone");
         return false;
     };
     if (wants("alpha", Tool::stamp, "stamp")) {

@@ -35,9 +35,10 @@ constexpr std::size_t kLiveTraces = 200;
 // A journal that renders needs a session with a renderer.
 bool needs_renderer(const Journal& journal);
 
-// Throws std::invalid_argument when the session's mesh or map, or an image that was stamped, is not the one that
-// the journal was recorded with (with `force` only where dabs could not be applied), or when an operation does not fit; std::runtime_error
-// when rendering fails. A failed expectation is no error here: the replay goes on, and the report tells.
+// Throws std::invalid_argument when the session's mesh or map, or an image that was stamped, is not the one
+// that the journal was recorded with (with `force` only where dabs could not be applied), or when an
+// operation does not fit; std::runtime_error when rendering fails. A failed expectation is no error here: the
+// replay goes on, and the report tells.
 ReplayReport replay(const Journal& journal, Session& session, const ReplayOptions& options = {});
 
 struct StageSummary {

@@ -170,7 +170,7 @@ struct Session::State {
     Steps steps;
     Brush brush;
     StrokeSettings stroke_settings;
-    std::shared_ptr<const Alpha> alpha;      // of stamp
+    std::shared_ptr<const Alpha> alpha;  // of stamp
     CloneSource clone_source;
     StrokeOp stroke;                         // under way
     std::size_t copies = 0;                  // of each of its dabs
@@ -243,6 +243,9 @@ const JournalHeader& Session::header() const {
     return state_->header;
 }
 Brush& Session::brush() {
+    return state_->brush;
+}
+const Brush& Session::brush() const {
     return state_->brush;
 }
 

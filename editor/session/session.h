@@ -80,6 +80,7 @@ class Session {
 
     // The brush that the next stroke takes. Its first radius is a tenth of the edited mesh's.
     Brush& brush();
+    const Brush& brush() const;
     // The image that the stamp tool's next stroke presses in; null at first.
     const std::shared_ptr<const Alpha>& alpha() const;
     void set_alpha(std::shared_ptr<const Alpha> alpha);  // its path absolute: journals name it
@@ -100,11 +101,11 @@ class Session {
     // std::logic_error in a stroke.
     void begin_stroke();  // with brush(); std::invalid_argument when a setting is out of its range, the
                           // heights are procedural, stamp has no image or clone no source
-    // Copies that the brush's symmetry makes are found here, and so are clone's sources and the turn that the dab
-    // holds of them; both are journaled with it. std::out_of_range when the mesh has no such face.
+    // Copies that the brush's symmetry makes are found here, and so are clone's sources and the turn that the
+    // dab holds of them; both are journaled with it. std::out_of_range when the mesh has no such face.
     void dab(const Dab& dab);
-    // The same with the places of the copies and the sources given, as a journal has them: one for each copy, and
-    // for clone one for the dab itself and one for each copy.
+    // The same with the places of the copies and the sources given, as a journal has them: one for each copy,
+    // and for clone one for the dab itself and one for each copy.
     void dab(const Dab& dab, std::span<const FacePoint> copies, std::span<const FacePoint> sources = {});
     void end_stroke();
     void cancel_stroke();

@@ -53,7 +53,8 @@ constexpr double kTrail = 0.5, kFirstWay = 0.25;
 StrokeInput::StrokeInput(const Brush& brush, Pick pick, CameraRay camera_ray, Apply apply,
                          const StrokeSettings& settings)
     : radius_(static_cast<double>(brush.radius)),
-      spacing_(radius_ * static_cast<double>(brush.tool == Tool::stamp ? brush.stamp_spacing : brush.spacing)),
+      spacing_(radius_ *
+               static_cast<double>(brush.tool == Tool::stamp ? brush.stamp_spacing : brush.spacing)),
       pick_(std::move(pick)),
       camera_ray_(std::move(camera_ray)),
       apply_(std::move(apply)),
@@ -140,15 +141,15 @@ PickHit StrokeInput::strayed(const Sample& sample, std::uint32_t index) const {
     return hit.hit ? hit : sample.hit;
 }
 
-// Where a stamp's right is to lie, unit: along the stroke if that is asked for and it has a direction, else along
-// the picture's right. Turned at random about the surface's normal by the rotation's jitter.
+// Where a stamp's right is to lie, unit: along the stroke if that is asked for and it has a direction, else
+// along the picture's right. Turned at random about the surface's normal by the rotation's jitter.
 glm::dvec3 StrokeInput::stamp_right(const Sample& sample, glm::dvec3 direction, std::uint32_t index) const {
     const double length = glm::length(direction);
     glm::dvec3 right = direction / length;
     if (!settings_.along_stroke || !(length > 1e-9 * radius_)) {
         const Ray beside = camera_ray_(sample.at.x_px + 1, sample.at.y_px);
-        const glm::dvec3 across = glm::normalize(glm::dvec3(beside.direction)) -
-                                  glm::normalize(glm::dvec3(sample.ray.direction));
+        const glm::dvec3 across =
+            glm::normalize(glm::dvec3(beside.direction)) - glm::normalize(glm::dvec3(sample.ray.direction));
         if (!(glm::length(across) > 0)) return glm::dvec3(0);
         right = glm::normalize(across);
     }
@@ -237,8 +238,8 @@ void StrokeInput::stretch_to(const PointerEvent& to) {
     place(dabs);
 }
 
-// The trail goes on to the next sample; a first dab that has waited for a direction is due as soon as there is one,
-// at the latest where the second one is.
+// The trail goes on to the next sample; a first dab that has waited for a direction is due as soon as there
+// is one, at the latest where the second one is.
 void StrokeInput::follow(const Sample& next, std::vector<Due>& dabs) {
     if (!next.hit.hit) return;
     trail_.go_to(glm::dvec3(next.hit.position));

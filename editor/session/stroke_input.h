@@ -7,8 +7,9 @@
 // The grab tool does not walk: its dabs stay where the hand took hold, and carry how far the pointer has
 // drawn it in the plane across the view.
 //
-// The dabs of a stamp carry where the image's right is to lie: along the picture's right, or along the stroke. In the
-// latter case the first dab of a stroke, or of a part of it behind a gap, waits until there is a direction, or the end.
+// The dabs of a stamp carry where the image's right is to lie: along the picture's right, or along the
+// stroke. In the latter case the first dab of a stroke, or of a part of it behind a gap, waits until there is
+// a direction, or the end.
 #pragma once
 
 #include <cstdint>

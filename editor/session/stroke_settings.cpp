@@ -30,7 +30,8 @@ constexpr std::array kParameters{
 };
 
 constexpr std::array kFlags{
-    StrokeFlag{"along_stroke", "The image's right lies along the stroke; off, it stands upright in the picture",
+    StrokeFlag{"along_stroke",
+               "The image's right lies along the stroke; off, it stands upright in the picture",
                &StrokeSettings::along_stroke, tool_set({Tool::stamp})},
     StrokeFlag{"aligned", "Later strokes keep the first one's offset; off, each starts at the source again",
                &StrokeSettings::aligned, tool_set({Tool::clone})},

@@ -24,7 +24,7 @@ struct StrokeSettings {
     // Of the stamp's image, resolved into each dab (Dab::drag).
     bool along_stroke = false;     // its right lies along the stroke; false: along the picture's right
     float rotation_jitter = 0.0f;  // degrees: stamps stray so far either way, [0, 180]
-    bool aligned = true;           // of clone: later strokes keep the offset; false: each starts at the source
+    bool aligned = true;  // of clone: later strokes keep the offset; false: each starts at the source
     std::uint32_t seed = 0;               // of the jitter
 };
 
