@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace relievo {
@@ -24,6 +25,7 @@ class Alpha {
     const std::filesystem::path& path() const { return path_; }  // as given
     int width() const { return levels_.front().width; }
     int height() const { return levels_.front().height; }
+    std::span<const float> values() const { return levels_.front().values; }  // row 0 at the bottom
 
     // The value at (x, y), by bilinear filtering between pixel centres: the image's middle is (0, 0), its
     // longer side reaches from -1 to 1, y up. 0 beyond its border. `footprint`, in the same units: how far
@@ -50,5 +52,9 @@ class Alpha {
 // values count as they are, without colour management. Throws std::invalid_argument that names the file and
 // says what was wrong: missing, damaged, too large, a value that is not finite (with the pixel).
 std::shared_ptr<const Alpha> load_alpha(const std::filesystem::path& path);
+
+// Writes the values as an EXR of floats, atomically: load_alpha() reads an image of the same hash. Throws
+// std::invalid_argument that names the file when it cannot be written.
+void save_alpha(const Alpha& alpha, const std::filesystem::path& path);
 
 }  // namespace relievo

@@ -355,6 +355,7 @@ void Session::end_stroke() {
     s.apply([&] { return s.sculptor->end(); },
             [&] {
                 if (s.sculptor->steps_made() > steps_before) s.steps.add(s.stroke.brush.tool != Tool::mask);
+                if (s.stroke.alpha) s.recorder->keep_alpha(*s.alpha);
                 s.recorder->record(s.stroke);
             });
     s.restart_image();

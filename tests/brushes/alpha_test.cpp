@@ -78,6 +78,14 @@ TEST(AlphaFile, the_hash_is_of_the_values_not_of_the_file) {
     EXPECT_NE(load_alpha(folder / "a.png")->hash(), load_alpha(folder / "b.png")->hash());
 }
 
+TEST(AlphaFile, saved_it_reads_back_bit_for_bit) {
+    const TestFolder folder;
+    const Alpha alpha("a", 3, 2, {0.1f, -1.0f / 3, 1e-30f, 0.5f, 1.0f, -0.0f});
+    save_alpha(alpha, folder / "a.exr");
+    EXPECT_EQ(load_alpha(folder / "a.exr")->hash(), alpha.hash());
+    EXPECT_THROW(save_alpha(alpha, folder / "none/a.exr"), std::invalid_argument);
+}
+
 TEST(AlphaFile, what_cannot_be_stamped_is_refused_with_file_and_reason) {
     const TestFolder folder;
     const auto refused = [&](const std::string& name, const std::string& reason) {

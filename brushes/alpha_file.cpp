@@ -1,4 +1,5 @@
-// Reading a stamp's image through OpenImageIO.
+// A stamp's image as a file, through OpenImageIO.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <stdexcept>
@@ -6,6 +7,7 @@
 #include <system_error>
 
 #include "brushes/alpha.h"
+#include "brushes/atomic_file.h"
 #include "brushes/file_check.h"
 
 namespace relievo {
@@ -58,6 +60,28 @@ std::shared_ptr<const Alpha> load_alpha(const fs::path& path) {
             values.push_back(grey(pixels.data() + pixel * stride, channels, alpha_channel));
         }
     return std::make_shared<const Alpha>(path, width, height, std::move(values));
+}
+
+void save_alpha(const Alpha& alpha, const fs::path& path) {
+    const auto side = static_cast<std::ptrdiff_t>(alpha.width());
+    std::vector<float> rows;  // the top one first
+    rows.reserve(alpha.values().size());
+    for (std::ptrdiff_t y = alpha.height() - 1; y >= 0; --y) {
+        const auto row = alpha.values().begin() + y * side;
+        rows.insert(rows.end(), row, row + side);
+    }
+    std::vector<unsigned char> file;
+    OIIO::Filesystem::IOVecOutput memory(file);
+    OIIO::ImageSpec spec(alpha.width(), alpha.height(), 1, OIIO::TypeDesc::FLOAT);
+    spec.attribute("compression", "zip");
+    const auto writer = OIIO::ImageOutput::create("openexr");
+    if (!writer) fail(path, "OpenImageIO was built without openexr");
+    writer->set_ioproxy(&memory);
+    // The name only serves the writer's messages: the bytes go to memory.
+    if (!writer->open(path.filename().string(), spec) ||
+        !writer->write_image(OIIO::TypeDesc::FLOAT, rows.data()) || !writer->close())
+        fail(path, writer->geterror());
+    write_file_atomically(path, std::as_bytes(std::span(file)));
 }
 
 }  // namespace relievo
