@@ -10,7 +10,8 @@
 namespace relievo {
 namespace {
 
-constexpr ToolSet kRaising = tool_set({Tool::draw, Tool::inflate, Tool::clay, Tool::crease, Tool::noise});
+constexpr ToolSet kRaising =
+    tool_set({Tool::draw, Tool::inflate, Tool::clay, Tool::crease, Tool::noise, Tool::stamp});
 
 constexpr std::array kParameters{
     BrushParameter{"radius", "world units", "Reach of the brush on the displaced surface, as a 3D distance",
@@ -22,22 +23,28 @@ constexpr std::array kParameters{
                    &Brush::hardness},
     BrushParameter{"spacing", "of the radius",
                    "Distance along the surface from dab to dab; the height hardly depends on it", 0.02f, 1.0f,
-                   0.15f, &Brush::spacing},
+                   0.15f, &Brush::spacing, kEveryTool & ~tool_set({Tool::stamp})},
     BrushParameter{"level", "map value", "The map value that the level tool moves to", 0.0f, 1.0f, 0.5f,
                    &Brush::level, tool_set({Tool::level})},
     BrushParameter{"grain", "of the radius", "Size of the bumps that noise makes", 0.02f, 4.0f, 0.25f,
                    &Brush::grain, tool_set({Tool::noise})},
     BrushParameter{"seed", "", "Another number gives other bumps", 0.0f, 65535.0f, 0.0f, &Brush::seed,
                    tool_set({Tool::noise})},
+    BrushParameter{"stamp_spacing", "of the radius",
+                   "Distance along the surface from stamp to stamp; 2 puts them side by side", 0.1f, 8.0f,
+                   2.0f, &Brush::stamp_spacing, tool_set({Tool::stamp})},
+    BrushParameter{"rotation", "degrees", "Turns the image anticlockwise", -180.0f, 180.0f, 0.0f,
+                   &Brush::rotation, tool_set({Tool::stamp})},
     BrushParameter{"radial", "turns", "Copies of the stroke around an axis of the object; 1 is none", 1.0f,
                    64.0f, 1.0f, &Brush::radial},
 };
 
 constexpr std::array kFlags{
-    BrushFlag{"invert", "The opposite: draw lowers, pinch spreads, clay scrapes, crease raises, mask frees",
+    BrushFlag{"invert",
+              "The opposite: draw and stamp lower, pinch spreads, clay scrapes, crease raises, mask frees",
               false, &Brush::invert, kRaising | tool_set({Tool::pinch, Tool::mask})},
     BrushFlag{"accumulate", "Each pass of a stroke adds to the last; off, a stroke has one height throughout",
-              true, &Brush::accumulate, tool_set({Tool::draw, Tool::inflate, Tool::noise})},
+              true, &Brush::accumulate, tool_set({Tool::draw, Tool::inflate, Tool::noise, Tool::stamp})},
     BrushFlag{"mirror_x", "Every dab is repeated across the plane x = 0 of the object", false,
               &Brush::mirror_x},
     BrushFlag{"mirror_y", "Every dab is repeated across the plane y = 0 of the object", false,
@@ -59,6 +66,8 @@ constexpr std::array kTools{
     ToolInfo{Tool::grab, "grab", "Takes hold of the surface and moves it with the hand"},
     ToolInfo{Tool::smear, "smear", "Carries the relief along with the stroke"},
     ToolInfo{Tool::noise, "noise", "Roughens the surface with bumps of a set size"},
+    ToolInfo{Tool::stamp, "stamp", "Presses an image into the surface; inverted, lowers it"},
+    ToolInfo{Tool::clone, "clone", "Copies the relief from elsewhere, which moves along with the stroke"},
     ToolInfo{Tool::mask, "mask", "Paints what every other tool leaves as it is; inverted, frees it again"},
 };
 

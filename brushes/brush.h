@@ -23,6 +23,8 @@ enum class Tool : std::uint8_t {
     grab,
     smear,
     noise,
+    stamp,
+    clone,
     mask
 };
 enum class Axis : std::uint8_t { x, y, z };
@@ -31,7 +33,8 @@ enum class Falloff : std::uint8_t { smooth, linear, sharp, constant };
 struct Brush {
     Tool tool = Tool::draw;
     Falloff falloff = Falloff::smooth;
-    bool invert = false;  // the opposite: draw lowers, pinch spreads, clay scrapes, crease raises, mask frees
+    bool invert =
+        false;  // the opposite: draw and stamp lower, pinch spreads, clay scrapes, crease raises, mask frees
     float radius = 0.1f;  // world units, > 0
     float strength = 0.5f;   // [0, 1]; what it means for each tool stands in brushes/dab_tools.h
     float hardness = 0.0f;   // [0, 1): the inner fraction of the radius at full strength
@@ -39,6 +42,8 @@ struct Brush {
     float level = 0.5f;      // map value that the level tool moves to, [0, 1]
     float grain = 0.25f;     // size of the noise tool's bumps as a fraction of the radius, [0.02, 4]
     float seed = 0.0f;       // which noise, a whole number in [0, 65535]
+    float stamp_spacing = 2.0f;  // of the stamp tool, in the place of spacing, [0.1, 8]
+    float rotation = 0.0f;       // of the stamp's image, degrees anticlockwise, [-180, 180]
     bool accumulate = true;  // false: passing again within the stroke adds nothing
     // Symmetry in the object's own space, about its origin: the stroke is repeated by every combination.
     bool mirror_x = false, mirror_y = false, mirror_z = false;
@@ -62,8 +67,11 @@ struct Dab {
     std::uint32_t b1 = 0, b2 = 0;  // barycentrics in units of 1 / kBarycentricOne; b1 + b2 <= kBarycentricOne
     std::uint32_t pressure = kPressureOne;  // of the strength, in units of 1 / kPressureOne
     std::uint32_t size = kSizeOne;          // of the brush's radius, in units of 1 / kSizeOne, [1, kSizeOne]
-    // How far the hand has drawn what it grabbed since the stroke began, in units of the brush's radius /
-    // kDragOne. Only grab reads it.
+    // What the hand adds, in world space and in units of 1 / kDragOne. Other tools do not read it.
+    // grab: how far it has drawn what it grabbed since the stroke began, over the brush's radius.
+    // stamp: a direction; the image's right lies along the surface as near to it as can be. 0: any.
+    // clone: the turn from the target to the source, as the vector part of a unit quaternion whose scalar is
+    // not negative.
     std::array<std::int32_t, 3> drag{};
 
     static constexpr std::uint32_t kBarycentricOne = 1u << 20;

@@ -55,6 +55,10 @@ void apply(const Work& work) {
             return smear(work);
         case Tool::noise:
             return noise(work);
+        case Tool::stamp:
+            return stamp(work);
+        case Tool::clone:
+            return clone(work);
         case Tool::mask:
             return move_to(work, work.brush.invert ? 0.0f : kTop);
     }
@@ -63,8 +67,8 @@ void apply(const Work& work) {
 }  // namespace
 
 bool adds_up(const Brush& brush) {
-    constexpr ToolSet kTowardsTarget =
-        tool_set({Tool::smooth, Tool::flatten, Tool::level, Tool::erase, Tool::clay, Tool::mask});
+    constexpr ToolSet kTowardsTarget = tool_set(
+        {Tool::smooth, Tool::flatten, Tool::level, Tool::erase, Tool::clay, Tool::clone, Tool::mask});
     return brush.accumulate && !holds(kTowardsTarget, brush.tool);
 }
 

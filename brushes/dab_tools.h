@@ -10,6 +10,10 @@
 //   inflate  as draw, over the cosine between the relief's normal and the base's (at least kLeastCosine): the
 //            relief moves along its own normal, so that slopes grow sideways.
 //   noise    as draw, times a noise of [-1, 1] at the texel's place on the base mesh.
+//   stamp    raises by rise times the image's value, at every dab: one press. Without accumulate, a stroke
+//   raises
+//            a texel by the most that any press wants. The image lies in the plane across the base normal at
+//            the dab's centre, its longer side as wide as the brush, and is cut off by the falloff.
 //   crease   lowers as draw by rise * spacing * f^2, and pinches half as much as pinch.
 //   clay     moves what is below a plane towards it: the plane through the footprint, raised by what a dab of
 //            draw at kUnitSpacing raises.
@@ -21,11 +25,14 @@
 //   pinch    draws the relief in by kPinch * s * f * spacing / kUnitSpacing of its distance to the centre.
 //   smear    carries the relief along with the hand, s * f of the way from the last dab.
 //   mask     as level, on the mask: to 65535, protected; inverted, to 0.
+//   clone    moves a texel the fraction s * f of the way from where the stroke found it to what lay at the
+//            source before the stroke, as level does. The plane across the base normal at the dab's centre is
+//            laid on that at the source, turned as the dab says.
 //   grab     moves what the first dab held by s * f of the hand's drag, its relief along the surface and its
 //            height by the drag's part along the normal.
-// invert turns draw, inflate, noise, clay, crease, pinch and mask round. Where the mask protects a texel, s
-// is less by as much. No tool but mask does anything where the amplitude is 0, not finite, or so small that a
-// count has no size.
+// invert turns draw, stamp, inflate, noise, clay, crease, pinch and mask round. Where the mask protects a
+// texel, s is less by as much. No tool but mask does anything where the amplitude is 0, not finite, or so
+// small that a count has no size.
 #pragma once
 
 #include <memory>
@@ -44,6 +51,7 @@ inline constexpr float kPinch = 0.15f;        // of the distance to the centre
 // The weight at `part` of the radius, both in [0, 1]: 1 up to `hardness`, 0 at the rim (but for constant).
 float falloff_weight(Falloff falloff, float hardness, float part);
 
+class Alpha;
 class Seams;
 struct Hold;  // what grab holds (move_tools.cpp)
 
@@ -55,6 +63,9 @@ struct DabPlace {
     glm::vec3 drag{0};            // of grab since the stroke began, world units
     float share;                  // of the strength, [0, 1]: copies by symmetry that overlap share it
     std::shared_ptr<Hold>& hold;  // of the stroke, null at first
+    glm::vec3 hand{0};            // Dab::drag over kDragOne
+    const Alpha* alpha = nullptr;          // of stamp; not null there
+    const SurfacePoint* source = nullptr;  // of clone; not null there
 };
 
 // What a dab wants of one texel: changes since the stroke began, in counts, as StrokeTiles keeps them.

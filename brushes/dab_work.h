@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -56,6 +57,15 @@ struct Work {
             std::clamp(height * counts_per_unit, -2.0 * double{kTop}, 2.0 * double{kTop}));
     }
 
+    // Adds a rise in counts to the stroke's; without accumulate the larger of the two counts.
+    void raise(const SurfaceTexel& t, float rise) const {
+        const float so_far = change(t);
+        if (brush.accumulate)
+            change_to(t, so_far + rise);
+        else if (std::abs(rise) > std::abs(so_far))
+            change_to(t, rise);
+    }
+
     void change_to(const SurfaceTexel& t, float to) const {
         const float from = change(t);
         if (to != from) changes.push_back({t.x, t.y, from, to});
@@ -73,5 +83,7 @@ void pinch(const Work& work);
 void crease(const Work& work);
 void smear(const Work& work);
 void grab(const Work& work);
+void stamp(const Work& work);
+void clone(const Work& work);
 
 }  // namespace relievo

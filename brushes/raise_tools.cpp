@@ -17,11 +17,7 @@ void raise(const Work& work, Part part_of) {
     for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
         const float weight = work.weight(texel);
         if (weight == 0.0f) continue;
-        const float rise = counts * weight * part_of(texel), change = work.change(texel);
-        if (brush.accumulate)
-            work.change_to(texel, change + rise);
-        else if (std::abs(rise) > std::abs(change))
-            work.change_to(texel, rise);
+        work.raise(texel, counts * weight * part_of(texel));
     }
 }
 

@@ -80,7 +80,41 @@ Relief::Relief(const Work& work, glm::vec3 centre, float reach) : centre_(centre
     std::vector<Site> sites;
     sites.reserve(texels.size());
     for (const SurfaceTexel& t : texels) sites.push_back({base_of(work, t), t.normal, work.value(t)});
-    double fit_reach = kReach * texel_spacing(texels, sites, static_cast<double>(reach + margin));
+    make_grids(texels, sites, reach + margin);
+}
+
+Relief::Relief(const Work& work, const SurfacePoint& about, float reach) : centre_(about.base) {
+    // High relief takes texels out of the ball that stand near the centre on the base mesh: a larger ball
+    // finds them.
+    constexpr int kMostRounds = 6;
+    const glm::vec3 n = about.base_normal;
+    const auto beside = [&](glm::vec3 place) { return place - n * glm::dot(place - about.base, n); };
+    std::vector<SurfaceTexel> texels;
+    float ball = 1.1f * reach;
+    for (int round = 0; round < kMostRounds; ++round) {
+        work.surface.texels_in_ball(about.position, ball, texels);
+        float needed = texels.size() < kFewTexels ? 2.0f * ball : 0.0f;
+        for (const SurfaceTexel& t : texels)
+            if (glm::length(beside(t.position) - about.base) < reach)
+                needed = std::max(needed, 1.1f * std::hypot(reach, glm::dot(t.position - about.position, n)));
+        if (needed <= ball) break;
+        ball = needed;
+    }
+    if (texels.empty()) return;
+    const float margin = 3.0f * ball * std::sqrt(3.14159265f / static_cast<float>(texels.size()));
+    work.surface.texels_in_ball(about.position, ball + margin, texels);
+    std::erase_if(texels, [&](const SurfaceTexel& t) { return !(glm::dot(t.normal, n) > 0.0f); });
+    if (texels.empty()) return;
+    std::vector<Site> sites;
+    sites.reserve(texels.size());
+    for (const SurfaceTexel& t : texels)
+        sites.push_back({beside(base_of(work, t)), n, static_cast<float>(work.stroke.before(t.x, t.y))});
+    make_grids(texels, sites, ball + margin);
+}
+
+void Relief::make_grids(const std::vector<SurfaceTexel>& texels, const std::vector<Site>& sites,
+                        float reach) {
+    double fit_reach = kReach * texel_spacing(texels, sites, static_cast<double>(reach));
     for (std::size_t level = 0; level < kLevels; ++level, fit_reach *= kWidening)
         grids_.push_back(make_grid(sites, centre_, fit_reach));
 }

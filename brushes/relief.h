@@ -35,6 +35,10 @@ class Relief {
     Relief(const Work& work, float reach);
     // The same about another point.
     Relief(const Work& work, glm::vec3 centre, float reach);
+    // As the stroke found it, about another point and laid flat there: every site is dropped along the base
+    // normal onto the plane across it, so that places may be asked for in that plane whatever the surface's
+    // curvature. Sites that face the other way are left out.
+    Relief(const Work& work, const SurfacePoint& about, float reach);
 
     struct Fit {
         double value;  // counts
@@ -56,6 +60,7 @@ class Relief {
         std::vector<Cell> cells;  // open addressing, a power of two; count 0: free
     };
 
+    void make_grids(const std::vector<SurfaceTexel>& texels, const std::vector<Site>& sites, float reach);
     static Grid make_grid(std::span<const Site> sites, glm::vec3 centre, double reach);
     std::optional<Fit> fit(const Grid& grid, glm::dvec3 base, glm::dvec3 normal) const;
 

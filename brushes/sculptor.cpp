@@ -36,6 +36,13 @@ struct Sculptor::State {
         std::shared_ptr<Hold> hold;
     };
 
+    const Surface& surface_of(const Branch& branch) const { return branch.turned ? *branch.turned : surface; }
+    SurfacePoint seen(const Branch& branch, const FacePoint& point) const {
+        constexpr float kUnit = 1.0f / static_cast<float>(Dab::kBarycentricOne);
+        return surface_of(branch).at(point.face, static_cast<float>(point.b1) * kUnit,
+                                     static_cast<float>(point.b2) * kUnit);
+    }
+
     Layer layer() const { return brush.tool == Tool::mask ? Layer::mask : Layer::height; }
     HeightMap& map_of(Layer which) { return which == Layer::mask ? need_mask() : map; }
     HeightMap& need_mask() {
@@ -46,12 +53,14 @@ struct Sculptor::State {
     const HeightMap* protection() const { return layer() == Layer::height && mask ? &*mask : nullptr; }
     std::vector<TexelRect> shown(std::vector<TexelRect> rects, Layer which);
 
-    void start(const Brush& the_brush);
+    void start(const Brush& the_brush, std::shared_ptr<const Alpha> the_alpha);
     void check(const Dab& dab) const;
     void check(const FacePoint& point) const;
+    // Where each branch's hand is, or takes from.
+    using Points = std::span<const FacePoint>;
     // Takes a checked dab in steps of the drag that grab can follow.
-    void apply(const Dab& dab, std::span<const FacePoint> copies);
-    void apply_step(const Dab& dab, std::span<const FacePoint> copies, glm::vec3 drag);
+    void apply(const Dab& dab, Points copies, Points sources);
+    void apply_step(const Dab& dab, Points copies, Points sources, glm::vec3 drag);
     std::vector<TexelRect> take(bool redo);
     void change_mask(const std::function<void(HeightMap&)>& change);
 
@@ -62,6 +71,7 @@ struct Sculptor::State {
     std::optional<HeightMap> mask;
     std::uint64_t mask_revision = 0;
     Brush brush;
+    std::shared_ptr<const Alpha> alpha;
     std::optional<StrokeTiles> stroke;  // over the brush's layer
     std::vector<Branch> branches;
     glm::vec3 last_drag{0};   // world units
@@ -74,9 +84,12 @@ std::vector<TexelRect> Sculptor::State::shown(std::vector<TexelRect> rects, Laye
     return {};
 }
 
-void Sculptor::State::start(const Brush& the_brush) {
+void Sculptor::State::start(const Brush& the_brush, std::shared_ptr<const Alpha> the_alpha) {
+    if (the_brush.tool == Tool::stamp && !the_alpha)
+        throw std::invalid_argument("stamp: there is no image to press into the surface; choose one first");
     const std::vector<glm::dmat4> copies = symmetry_copies(the_brush, surface.world_from_object());
     brush = the_brush;
+    alpha = std::move(the_alpha);
     branches.clear();
     for (const glm::dmat4& copy : copies) {
         branches.emplace_back();
@@ -107,8 +120,8 @@ void Sculptor::State::check(const Dab& dab) const {
                                     std::to_string(Dab::kLargestDrag) + " either way");
 }
 
-void Sculptor::State::apply(const Dab& dab, std::span<const FacePoint> copies) {
-    if (brush.tool != Tool::grab) return apply_step(dab, copies, glm::vec3(0));
+void Sculptor::State::apply(const Dab& dab, Points copies, Points sources) {
+    if (brush.tool != Tool::grab) return apply_step(dab, copies, sources, glm::vec3(0));
     constexpr float kLongestStep = 0.4f;  // of the radius
     constexpr int kMostSteps = 1000;
     const float unit = brush.radius / static_cast<float>(Dab::kDragOne);
@@ -119,7 +132,7 @@ void Sculptor::State::apply(const Dab& dab, std::span<const FacePoint> copies) {
     const int steps = static_cast<int>(std::clamp(std::ceil(way), 1.0f, static_cast<float>(kMostSteps)));
     for (int i = 1; i <= steps; ++i) {
         const float part = static_cast<float>(i) / static_cast<float>(steps);
-        apply_step(dab, copies, i == steps ? to : from + part * (to - from));
+        apply_step(dab, copies, sources, i == steps ? to : from + part * (to - from));
     }
     last_drag = to;
 }
@@ -161,8 +174,7 @@ void apply_together(std::vector<TexelChange> changes, bool add_up, StrokeTiles& 
 
 }  // namespace
 
-void Sculptor::State::apply_step(const Dab& dab, std::span<const FacePoint> copies, glm::vec3 drag) {
-    constexpr float kUnit = 1.0f / static_cast<float>(Dab::kBarycentricOne);
+void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, glm::vec3 drag) {
     constexpr float kJump = 2.0f;  // radii between dabs beyond which the hand has jumped
     const float radius = brush.radius * (static_cast<float>(dab.size) / static_cast<float>(Dab::kSizeOne));
     const float pressure =
@@ -171,10 +183,8 @@ void Sculptor::State::apply_step(const Dab& dab, std::span<const FacePoint> copi
     std::vector<glm::dvec3> places;  // in world space
     for (std::size_t i = 0; i < branches.size(); ++i) {
         const FacePoint point = i == 0 ? FacePoint{dab.face, dab.b1, dab.b2} : copies[i - 1];
-        const float b1 = static_cast<float>(point.b1) * kUnit, b2 = static_cast<float>(point.b2) * kUnit;
-        const Surface& seen = branches[i].turned ? *branches[i].turned : surface;
-        centres.push_back(seen.at(point.face, b1, b2));
-        places.emplace_back(surface.at(point.face, b1, b2).position);
+        centres.push_back(seen(branches[i], point));
+        places.emplace_back(seen({}, point).position);
     }
     const bool add_up = adds_up(brush);
     const std::vector<float> share =
@@ -185,9 +195,13 @@ void Sculptor::State::apply_step(const Dab& dab, std::span<const FacePoint> copi
         glm::vec3 motion = branch.last_place ? centres[i].position - *branch.last_place : glm::vec3(0);
         if (!(glm::length(motion) < kJump * brush.radius)) motion = glm::vec3(0);
         branch.last_place = centres[i].position;
-        const DabPlace place{centres[i], pressure, radius, motion, drag, share[i], branch.hold};
-        const Surface& seen = branch.turned ? *branch.turned : surface;
-        const std::vector<TexelChange> own = dab_changes(brush, place, seen, seams, *stroke, protection());
+        DabPlace place{centres[i], pressure, radius, motion, drag, share[i], branch.hold};
+        place.hand = glm::vec3(dab.drag[0], dab.drag[1], dab.drag[2]) / static_cast<float>(Dab::kDragOne);
+        place.alpha = alpha.get();
+        const SurfacePoint source = sources.empty() ? SurfacePoint() : seen(branch, sources[i]);
+        if (!sources.empty()) place.source = &source;
+        const std::vector<TexelChange> own =
+            dab_changes(brush, place, surface_of(branch), seams, *stroke, protection());
         changes.insert(changes.end(), own.begin(), own.end());
     }
     apply_together(std::move(changes), add_up, *stroke);
@@ -214,21 +228,27 @@ Sculptor::Sculptor(HeightMap& map, const Surface& surface, std::size_t undo_budg
 
 Sculptor::~Sculptor() = default;
 
-void Sculptor::begin(const Brush& brush) {
+void Sculptor::begin(const Brush& brush, std::shared_ptr<const Alpha> alpha) {
     state_->require_stroke(false, "begin");
     check_brush(brush);
-    state_->start(brush);
+    state_->start(brush, std::move(alpha));
 }
 
-std::vector<TexelRect> Sculptor::dab(const Dab& dab, std::span<const FacePoint> copies) {
+std::vector<TexelRect> Sculptor::dab(const Dab& dab, std::span<const FacePoint> copies,
+                                     std::span<const FacePoint> sources) {
     state_->require_stroke(true, "dab");
     state_->check(dab);
     if (copies.size() + 1 != state_->branches.size())
         throw std::out_of_range("dab with " + std::to_string(copies.size()) +
                                 " copies: the brush's symmetry makes " +
                                 std::to_string(state_->branches.size() - 1));
+    const std::size_t wanted = state_->brush.tool == Tool::clone ? copies.size() + 1 : 0;
+    if (sources.size() != wanted)
+        throw std::out_of_range("dab with " + std::to_string(sources.size()) + " sources: the tool needs " +
+                                std::to_string(wanted));
     for (const FacePoint& copy : copies) state_->check(copy);
-    state_->apply(dab, copies);
+    for (const FacePoint& source : sources) state_->check(source);
+    state_->apply(dab, copies, sources);
     return state_->shown(state_->stroke->take_dirty(), state_->layer());
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "brushes/alpha.h"
 #include "brushes/brush.h"
 #include "brushes/height_map.h"
 #include "brushes/surface.h"
@@ -32,11 +33,17 @@ class Sculptor {
     //
     // A stroke of the mask tool changes the mask alone: its calls return no rectangles.
     //
+    // `alpha`: the image of a stroke of the stamp tool, which throws std::invalid_argument without.
+    //
     // `copies`: where the copies of the dab lie that the brush's symmetry makes, one for each of
     // symmetry_copies() but the first (brushes/symmetry.h); another number throws std::out_of_range. All of a
     // dab's copies are worked out on the same state of the map, then applied together.
-    void begin(const Brush& brush);
-    std::vector<TexelRect> dab(const Dab& dab, std::span<const FacePoint> copies = {});
+    //
+    // `sources`: where the clone tool takes the relief from, for the dab itself and then for each of its
+    // copies; none for other tools. Another number throws std::out_of_range.
+    void begin(const Brush& brush, std::shared_ptr<const Alpha> alpha = {});
+    std::vector<TexelRect> dab(const Dab& dab, std::span<const FacePoint> copies = {},
+                               std::span<const FacePoint> sources = {});
     std::vector<TexelRect> end();
     std::vector<TexelRect> cancel();
     bool in_stroke() const;

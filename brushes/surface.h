@@ -12,6 +12,9 @@ namespace relievo {
 struct SurfacePoint {
     glm::vec3 position;  // on the displaced surface S, world units
     glm::vec3 normal;    // unit geometric normal of S, on the side of the base normal
+    glm::vec3 base;      // on the base mesh, world units
+    glm::vec3
+        base_normal;  // unit interpolated normal of the base mesh: the direction that displaces the point
 };
 
 struct SurfaceTexel {

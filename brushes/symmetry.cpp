@@ -73,8 +73,9 @@ std::vector<glm::dmat4> symmetry_copies(const Brush& brush, const glm::dmat4& wo
 
 SurfacePoint TurnedSurface::at(std::uint32_t face, float b1, float b2) const {
     const SurfacePoint point = surface_.at(face, b1, b2);
-    return {glm::vec3(hand_from_world_ * glm::dvec4(point.position, 1.0)),
-            glm::vec3(hand_from_world_ * glm::dvec4(point.normal, 0.0))};
+    const auto seen = [&](glm::vec3 v, double w) { return glm::vec3(hand_from_world_ * glm::dvec4(v, w)); };
+    return {seen(point.position, 1.0), seen(point.normal, 0.0), seen(point.base, 1.0),
+            seen(point.base_normal, 0.0)};
 }
 
 void TurnedSurface::texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const {

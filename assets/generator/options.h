@@ -11,13 +11,13 @@ namespace relievo::assets {
 
 inline constexpr std::string_view kUsage =
     "relievo_assets -o FOLDER [--size N] [--only NAME] [--scenes FOLDER]\n"
-    "Makes the sample meshes (FOLDER/meshes/*.obj), maps (FOLDER/maps/*.png, 16-bit) and journals of "
-    "strokes\n"
-    "(FOLDER/strokes/*.jsonl).\n"
+    "Makes the sample meshes (FOLDER/meshes/*.obj), maps (FOLDER/maps/*.png, 16-bit), journals of strokes\n"
+    "(FOLDER/strokes/*.jsonl) and images for the stamp (FOLDER/alphas/*.png, 16-bit).\n"
     "  -o FOLDER         where to; made if missing\n"
     "  --size N          texels a side of the maps, 64 to 8192 (1024); seams are exact from 256 on, at "
     "powers of two\n"
-    "  --only NAME       one asset: plane, asteroid, chainmail, leather, orb, stump, knot, fur or scree\n"
+    "  --only NAME       one asset: plane, asteroid, chainmail, leather, orb, stump, knot, fur or scree; no "
+    "images\n"
     "  --scenes FOLDER   copy the scene files from there to FOLDER/scenes, so that the result can be "
     "opened\n";
 

@@ -1,4 +1,4 @@
-// Every asset's mesh, displacement map and, where it has one, opacity map.
+// Every asset's mesh, displacement map and, where it has one, opacity map; images for the stamp.
 #include "assets/generator/samples.h"
 
 #include <OpenImageIO/imageio.h>
@@ -9,6 +9,7 @@
 #include "assets/generator/atlas.h"
 #include "assets/generator/builders.h"
 #include "assets/generator/portable_math.h"
+#include "assets/generator/sample_alphas.h"
 #include "assets/generator/strokes.h"
 
 namespace relievo::assets {
@@ -52,7 +53,7 @@ void write_png(const fs::path& path, const std::vector<std::uint16_t>& map, int 
     if (!done) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-std::vector<std::uint16_t> paint_exemplar(int size, const std::function<double(double, double)>& value) {
+std::vector<std::uint16_t> paint(int size, const std::function<double(double, double)>& value) {
     std::vector<std::uint16_t> map;
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x)
@@ -69,13 +70,17 @@ void make_sample(const Entry& entry, const Options& options) {
     const Atlas atlas(sculpture.shape);
     const fs::path maps = options.output / "maps";
     write_png(maps / (name + ".png"),
-              sculpture.exemplar
-                  ? paint_exemplar(options.size, sculpture.exemplar)
-                  : atlas.paint(options.size, 65535, sculpture.height, sculpture.free_height),
+              sculpture.exemplar ? paint(options.size, sculpture.exemplar)
+                                 : atlas.paint(options.size, 65535, sculpture.height, sculpture.free_height),
               options.size, 16);
     if (sculpture.opacity)
         write_png(maps / (name + "_opacity.png"), atlas.paint(options.size, 255, sculpture.opacity, {}),
                   options.size, 8);
+}
+
+void make_alpha(const SampleAlpha& alpha, const fs::path& folder) {
+    const auto value = [&](double u, double v) { return alpha.value(2 * u - 1, 2 * v - 1); };
+    write_png(folder / (std::string(alpha.name) + ".png"), paint(kAlphaSize, value), kAlphaSize, 16);
 }
 
 void make_folder(const fs::path& folder) {
@@ -111,6 +116,11 @@ void make_samples(const Options& options, const std::function<void(const std::st
         if (!options.only.empty() && options.only != entry.name) continue;
         progress(entry.name);
         make_sample(entry, options);
+    }
+    if (options.only.empty()) {
+        make_folder(options.output / "alphas");
+        progress("alphas");
+        for (const SampleAlpha& alpha : sample_alphas()) make_alpha(alpha, options.output / "alphas");
     }
     if (!options.scenes.empty()) copy_scenes(options.scenes, options.output / "scenes");
 }

@@ -140,7 +140,8 @@ void add_replay(CLI::App& app, Command& command) {
     verb.add_option("--scene", options->scene, "Scene file in place of the one that the journal names")
         ->type_name("SCENE");
     verb.add_option("--map", options->map, "Start from this map in place of the scene's")->type_name("MAP");
-    verb.add_flag("--force", options->force, "Go on though mesh or map are not the recorded ones");
+    verb.add_flag("--force", options->force,
+                  "Go on though mesh, map or stamped images are not the recorded ones");
     verb.add_flag("--timings", options->timings, "Print a table of milliseconds by stage over all dabs");
     verb.add_flag("--live", options->live,
                   "Trace the 256 x 256 window around the brush, as the editor does, at up to 200 dabs");

@@ -13,6 +13,7 @@
 #include "editor/gui/keys.h"
 #include "editor/gui/panels.h"
 #include "editor/gui/picture_overlay.h"
+#include "editor/gui/tool_marks.h"
 #include "editor/session/image_file.h"
 #include "editor/session/preferences.h"
 
@@ -225,6 +226,7 @@ void App::draw_over_picture() {
         desk_.prisms.draw(list, desk_.session, picture,
                           over ? std::optional(glm::dvec2(x, y)) : std::nullopt);
     desk_.cursor.draw(list, desk_.session, live_.size(), picture.x, picture.y, pointer_.in_stroke());
+    draw_tool_marks(list, desk_.session, desk_.cursor, live_.size(), picture.x, picture.y);
     desk_.why.draw_mark(list, desk_.session, picture);
     const bool divider = pointer_.drags_divider() || (over && !pointer_.dragging() && on_divider(desk_, x));
     draw_picture_overlay(desk_, picture, divider);

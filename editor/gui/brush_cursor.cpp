@@ -111,6 +111,11 @@ void BrushCursor::resize(Session& session) {
     ring_ = ring_around(session.renderer(), *centre_, normal_, radius_);
 }
 
+std::optional<BrushCursor::Look> BrushCursor::look() const {
+    if (!centre_) return std::nullopt;
+    return Look{*centre_, normal_, radius_, ray_, next_ray_};
+}
+
 std::optional<BrushCursor::Spot> BrushCursor::spot() const {
     return centre_ ? std::optional(spot_) : std::nullopt;
 }

@@ -25,6 +25,15 @@ class BrushCursor {
     void resize(Session& session);
     void hide() { centre_.reset(); }
 
+    // What it stands on, for marks of other tools.
+    struct Look {
+        PickHit centre;
+        glm::vec3 normal;   // of the base surface there, unit
+        float radius;       // of the brush, world units
+        Ray ray, next_ray;  // through the pointer, and one pixel beside it
+    };
+    std::optional<Look> look() const;  // empty: the pointer is not over the edited object
+
     std::optional<Spot> spot() const;  // empty: the pointer is not over the edited object
     // `x`, `y`: the picture's corner on screen. `lit`: while a stroke runs.
     void draw(ImDrawList& list, Session& session, PixelSize picture, double x, double y, bool lit) const;

@@ -63,17 +63,23 @@ void brush_rows(Desk& desk) {
         if (holds(flag.tools, brush.tool)) switch_row(readable(flag.name), brush.*flag.value, flag.tooltip);
 }
 
-void stroke_rows(Desk& desk) {
+// `own`: the settings of the tool alone, in the place of those that every tool has.
+void stroke_rows(Desk& desk, bool own) {
     StrokeSettings& settings = desk.session.stroke_settings();
+    const auto shown = [&](ToolSet tools) {
+        return own == (tools != kEveryTool) && holds(tools, desk.session.brush().tool);
+    };
     for (const StrokeParameter& parameter : stroke_parameters()) {
         const bool other_unit =
             (parameter.value == &StrokeSettings::radius_px && settings.unit != RadiusUnit::screen) ||
             (parameter.value == &StrokeSettings::radius_texels && settings.unit != RadiusUnit::texel);
-        if (other_unit) continue;
+        if (other_unit || !shown(parameter.tools)) continue;
         const bool decades = parameter.low > 0 && parameter.high / parameter.low > 50;
         const Range range{parameter.low, parameter.high, decades, parameter.high > 20 ? "%.0f" : "%.2f"};
         slider_row(readable(parameter.name), settings.*parameter.value, range, parameter.tooltip);
     }
+    for (const StrokeFlag& flag : stroke_flags())
+        if (shown(flag.tools)) switch_row(readable(flag.name), settings.*flag.value, flag.tooltip);
 }
 
 void mask_row(Desk& desk) {
@@ -91,12 +97,14 @@ void mask_row(Desk& desk) {
 
 void draw_brush_section(Desk& desk) {
     if (!section("Brush")) return;
+    if (desk.session.brush().tool == Tool::stamp) draw_alpha_picker(desk);
+    stroke_rows(desk, true);
     size_rows(desk);
     brush_rows(desk);
     row_label("Falloff");
     falloff_combo(desk);
     draw_falloff_preview(desk.session.brush());
-    stroke_rows(desk);
+    stroke_rows(desk, false);
     mask_row(desk);
 }
 

@@ -13,6 +13,7 @@
 #include "editor/session/preferences.h"
 #include "editor/session/render_output.h"
 #include "editor/session/settings.h"
+#include "editor/session/stroke_input.h"
 #include "renderer/methods/registry.h"
 
 namespace relievo::gui {
@@ -150,7 +151,26 @@ void Desk::scale_radius(double factor) {
 }
 
 void Desk::start_drag(BrushDrag drag) {
-    if (!session.in_stroke()) view.brush_drag = drag;
+    if (session.in_stroke()) return;
+    if (drag == BrushDrag::rotation && session.brush().tool != Tool::stamp)
+        return toasts.info("The stamp alone has a rotation");
+    view.brush_drag = drag;
+}
+
+void Desk::set_alpha(const std::filesystem::path& path) {
+    attempt([&] { session.set_alpha(alphas.add(path).alpha); });
+}
+
+void Desk::set_clone_source(double x_px, double y_px) {
+    attempt([&] {
+        const Ray ray = session.renderer().camera_ray(x_px, y_px);
+        const PickHit hit = session.renderer().pick(std::span(&ray, 1)).front();
+        if (!hit.hit || hit.object != 0)
+            return toasts.info("The relief can come from the edited object alone");
+        const Dab point = quantised_dab(hit, 0, 1);
+        session.set_clone_source({point.face, point.b1, point.b2});
+        toasts.info("Relief is copied from there; drag where it is to go");
+    });
 }
 
 void Desk::keep_camera(int number) {
@@ -201,7 +221,10 @@ void Desk::toggle_symmetry(std::size_t axis) {
 }
 
 void Desk::choose_tool(std::size_t index) {
-    if (index < tools().size()) session.brush().tool = tools()[index].tool;
+    if (index >= tools().size()) return;
+    session.brush().tool = tools()[index].tool;
+    if (session.brush().tool == Tool::stamp && !session.alpha() && !alphas.entries().empty())
+        session.set_alpha(alphas.entries().front().alpha);
 }
 
 void Desk::set_view(View wanted) {

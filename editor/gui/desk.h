@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "editor/gui/alpha_shelf.h"
 #include "editor/gui/brush_cursor.h"
 #include "editor/gui/live_picture.h"
 #include "editor/gui/prism_overlay.h"
@@ -36,11 +37,12 @@ enum class Dialog {
     save_picture,
     unsaved,
     recovery,
-    exemplar
+    exemplar,
+    alpha
 };
 
 // A brush setting that follows the pointer until a click.
-enum class BrushDrag { none, radius, strength };
+enum class BrushDrag { none, radius, strength, rotation };
 
 // What is shown, and no more than that: none of it is journaled.
 struct ViewState {
@@ -65,6 +67,7 @@ class Desk {
     LiveReference& reference;
     Toasts& toasts;
     BrushCursor cursor;
+    AlphaShelf alphas;
     ViewState view;
     PrismOverlay prisms;
     RayPanel why;
@@ -86,6 +89,10 @@ class Desk {
     void leave(const Departure& departure);  // asks first when work is unsaved
     void scale_radius(double factor);
     void start_drag(BrushDrag drag);
+    void set_alpha(const std::filesystem::path& path);  // of the stamp
+    // Where clone takes its relief from: what the picture's pixel shows; pixels as Renderer::camera_ray takes
+    // them.
+    void set_clone_source(double x_px, double y_px);
     // Views kept between runs; numbers from 1 on.
     void keep_camera(int number);
     void go_to_camera(int number);

@@ -163,6 +163,17 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
             files_.open({"Choose an exemplar", "Choose", {".png", ".tif", ".tiff", ".exr"}, false, {}}, source->exemplar);
             break;
         }
+        case Dialog::alpha: {
+            const auto& alpha = desk.session.alpha();
+            files_.open(
+                {"Choose an image for the stamp",
+                 "Choose",
+                 {".png", ".tif", ".tiff", ".exr", ".jpg", ".jpeg", ".tga", ".bmp", ".hdr", ".psd", ".webp"},
+                 false,
+                 {}},
+                alpha ? alpha->path() : desk.session.scene().path);
+            break;
+        }
         case Dialog::save_as: {
             const std::filesystem::path scene = desk.session.scene().path;
             const auto fresh = scene.parent_path() / (scene.stem().string() + ".tif");
@@ -180,6 +191,7 @@ void Dialogs::draw_files(Desk& desk) {
     if (path && file_purpose_ == Dialog::open) desk.open_file(*path);
     if (path && file_purpose_ == Dialog::save_picture) desk.save_picture(*path);
     if (path && file_purpose_ == Dialog::exemplar) desk.set_exemplar(*path);
+    if (path && file_purpose_ == Dialog::alpha) desk.set_alpha(*path);
     if (file_purpose_ != Dialog::save_as || !was_open || files_.is_open()) return;
     const auto waiting = std::exchange(desk.pending, std::nullopt);  // a save on the way out
     if (path && desk.save_to(*path)) desk.departure = waiting;

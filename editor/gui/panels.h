@@ -15,6 +15,7 @@ void draw_status_bar(Desk& desk, const Box& box);
 // Sections of the side panel.
 void draw_brush_section(Desk& desk);
 void draw_falloff_preview(const Brush& brush);
+void draw_alpha_picker(Desk& desk);  // rows of it, for the stamp
 void draw_map_section(Desk& desk);
 void draw_source_section(Desk& desk);  // where the heights are procedural
 void draw_method_section(Desk& desk);

@@ -17,6 +17,7 @@ namespace {
 constexpr double kZoomPerHeight = 12;   // notches for a drag over the picture's height
 constexpr double kRadiusPerHeight = 4;  // powers of e
 constexpr double kStrengthPerHeight = 1.5;
+constexpr double kDegreesPerHeight = 360;
 
 }  // namespace
 
@@ -67,6 +68,10 @@ void PointerControl::on_press(const InputEvent& local) {
         divider_ = true;
     } else if (local.code == GLFW_MOUSE_BUTTON_LEFT && desk_->view.asking) {
         ask(local);
+    } else if (local.code == GLFW_MOUSE_BUTTON_LEFT && (local.mods & GLFW_MOD_CONTROL) &&
+               desk_->session.brush().tool == Tool::clone) {
+        apply_camera();
+        desk_->set_clone_source(desk_->live.to_renderer_x(local.x), desk_->live.to_renderer_y(local.y));
     } else if (local.code == GLFW_MOUSE_BUTTON_LEFT) {
         apply_camera();
         desk_->attempt([&] { stroke_.begin(local); });
@@ -131,6 +136,9 @@ void PointerControl::drag_brush(double dx) {
     const double share = dx / picture_height_;
     if (desk_->view.brush_drag == BrushDrag::radius) {
         desk_->scale_radius(std::exp(share * kRadiusPerHeight));
+    } else if (desk_->view.brush_drag == BrushDrag::rotation) {
+        const double degrees = static_cast<double>(brush.rotation) + share * kDegreesPerHeight;
+        brush.rotation = static_cast<float>(std::remainder(degrees, 360.0));
     } else {
         const double strength = static_cast<double>(brush.strength) + share * kStrengthPerHeight;
         brush.strength = static_cast<float>(std::clamp(strength, 0.0, 1.0));

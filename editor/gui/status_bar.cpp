@@ -17,6 +17,8 @@ std::string tool_hint(const Desk& desk) {
             return "Move to size the brush, click to keep it, Esc to leave it as it was";
         case BrushDrag::strength:
             return "Move to set the strength, click to keep it, Esc to leave it as it was";
+        case BrushDrag::rotation:
+            return "Move to turn the image, click to keep it, Esc to leave it as it was";
         case BrushDrag::none:
             break;
     }
@@ -25,6 +27,9 @@ std::string tool_hint(const Desk& desk) {
     if (desk.session.brush().tool == Tool::draw)
         return desk.session.brush().invert ? "Drag to lower; Ctrl raises, Shift smooths"
                                            : "Drag to raise; Ctrl lowers, Shift smooths";
+    if (desk.session.brush().tool == Tool::stamp)
+        return "Click to stamp, drag for a row; Ctrl lowers, Alt+F turns";
+    if (desk.session.brush().tool == Tool::clone) return "Ctrl+click where to copy from, then drag";
     return "Drag to sculpt; Shift smooths, Alt orbits";
 }
 

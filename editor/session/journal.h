@@ -38,11 +38,21 @@ struct ImageSize {
 
 enum class MaskCommand : std::uint8_t { clear, invert, blur };
 
+// The image of a stroke of the stamp tool.
+struct AlphaRef {
+    std::filesystem::path file;  // relative to the journal's folder, or absolute
+    std::uint64_t hash = 0;      // Alpha::hash()
+    bool operator==(const AlphaRef&) const = default;
+};
+
 struct StrokeOp {
     Brush brush;
     std::vector<Dab> dabs;
     // Of each copy by symmetry (symmetry_copies() but the first), where it put each dab.
     std::vector<std::vector<FacePoint>> copies = {};
+    std::optional<AlphaRef> alpha = std::nullopt;  // of stamp
+    // Of clone: where it took each dab's relief from, for the hand and then for each copy.
+    std::vector<std::vector<FacePoint>> sources = {};
     bool operator==(const StrokeOp&) const = default;
 };
 struct UndoOp {

@@ -82,17 +82,17 @@ std::string dab_array(const Dab& dab) {
     return text.append("]");
 }
 
-std::string copies_array(const std::vector<std::vector<FacePoint>>& copies) {
+std::string points_array(const std::vector<std::vector<FacePoint>>& lists) {
     std::string text(1, '[');
-    for (const std::vector<FacePoint>& copy : copies) {
+    for (const std::vector<FacePoint>& list : lists) {
         text.append(text.size() > 1 ? ",[" : "[");
-        for (std::size_t i = 0; i < copy.size(); ++i)
+        for (std::size_t i = 0; i < list.size(); ++i)
             text.append(i > 0 ? ",[" : "[")
-                .append(shortest(copy[i].face))
+                .append(shortest(list[i].face))
                 .append(",")
-                .append(shortest(copy[i].b1))
+                .append(shortest(list[i].b1))
                 .append(",")
-                .append(shortest(copy[i].b2))
+                .append(shortest(list[i].b2))
                 .append("]");
         text.append("]");
     }
@@ -114,7 +114,11 @@ struct Formatter {
             text += dab_array(op.dabs[i]);
         }
         text += "]";
-        if (!op.copies.empty()) text += ",\"copies\":" + copies_array(op.copies);
+        if (!op.copies.empty()) text += ",\"copies\":" + points_array(op.copies);
+        if (!op.sources.empty()) text += ",\"sources\":" + points_array(op.sources);
+        if (op.alpha)
+            text += ",\"alpha\":{\"file\":" + quoted(op.alpha->file) + ",\"hash\":\"" +
+                    hash_text(op.alpha->hash) + "\"}";
         return text + "}";
     }
     std::string operator()(const UndoOp&) const { return R"({"op":"undo"})"; }

@@ -193,29 +193,54 @@ FacePoint read_point(const json& value, const Fields& fields, const std::string&
     return point;
 }
 
-std::vector<std::vector<FacePoint>> read_copies(const json& value, const Fields& fields, std::size_t dabs) {
-    if (!value.is_array()) fields.fail("copies", "is " + Fields::kind(value) + ", must be an array");
-    std::vector<std::vector<FacePoint>> copies;
+// The lists under `name`, each with one place a dab.
+std::vector<std::vector<FacePoint>> read_points(const std::string& name, const Fields& fields,
+                                                std::size_t dabs) {
+    const json& value = fields.at(name);
+    if (!value.is_array()) fields.fail(name, "is " + Fields::kind(value) + ", must be an array");
+    std::vector<std::vector<FacePoint>> lists;
     for (std::size_t i = 0; i < value.size(); ++i) {
-        const std::string key = "copies[" + std::to_string(i) + "]";
+        const std::string key = name + "[" + std::to_string(i) + "]";
         if (!value[i].is_array() || value[i].size() != dabs)
             fields.fail(key, "must be an array of one place a dab: " + std::to_string(dabs));
-        copies.emplace_back();
+        lists.emplace_back();
         for (std::size_t k = 0; k < dabs; ++k)
-            copies.back().push_back(read_point(value[i][k], fields, key + "[" + std::to_string(k) + "]"));
+            lists.back().push_back(read_point(value[i][k], fields, key + "[" + std::to_string(k) + "]"));
     }
-    return copies;
+    return lists;
+}
+
+// What stamp and clone need beside dabs, and other tools must not have.
+void read_extras(StrokeOp& op, const Fields& fields, const json& value, const std::string& where) {
+    const auto wants = [&](const char* key, Tool tool, const char* name) {
+        if (op.brush.tool == tool) return fields.at(key), true;
+        if (fields.has(key))
+            fields.fail(key, std::string("belongs to strokes of the ") + name + " tool alone");
+        return false;
+    };
+    if (wants("alpha", Tool::stamp, "stamp")) {
+        const Fields alpha(value["alpha"], where + ": alpha", {"file", "hash"});
+        op.alpha = AlphaRef{alpha.word("file"), alpha.hash("hash")};
+    }
+    if (wants("sources", Tool::clone, "clone")) {
+        op.sources = read_points("sources", fields, op.dabs.size());
+        if (op.sources.size() != op.copies.size() + 1)
+            fields.fail("sources", "has " + std::to_string(op.sources.size()) +
+                                       " lists, must have one for the hand and one for each of " +
+                                       std::to_string(op.copies.size()) + " copies");
+    }
 }
 
 StrokeOp read_stroke(const json& value, const std::string& where) {
-    const Fields fields(value, where, {"op", "brush", "dabs", "copies"});
-    StrokeOp op{read_brush(fields.at("brush"), where), {}, {}};
+    const Fields fields(value, where, {"op", "brush", "dabs", "copies", "sources", "alpha"});
+    StrokeOp op{read_brush(fields.at("brush"), where), {}};
     const json& dabs = fields.at("dabs");
     if (!dabs.is_array()) fields.fail("dabs", "is " + Fields::kind(dabs) + ", must be an array");
     op.dabs.reserve(dabs.size());
     for (std::size_t i = 0; i < dabs.size(); ++i)
         op.dabs.push_back(read_dab(dabs[i], fields, "dabs[" + std::to_string(i) + "]"));
-    if (fields.has("copies")) op.copies = read_copies(fields.at("copies"), fields, op.dabs.size());
+    if (fields.has("copies")) op.copies = read_points("copies", fields, op.dabs.size());
+    read_extras(op, fields, value, where);
     return op;
 }
 

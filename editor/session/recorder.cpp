@@ -23,11 +23,40 @@ Recorder::~Recorder() = default;
 void Recorder::record(const JournalOp& op) {
     try {
         if (recovery_wanted_ && !recovery_) open_recovery();
-        if (recovery_) recovery_->append(op);
-        if (journal_) journal_->append(op);
+        if (recovery_) recovery_->append(with_kept_alpha(op));
+        if (journal_) journal_->append(beside_journal(op));
     } catch (const std::exception& error) {
         trouble_ = error.what();
     }
+}
+
+void Recorder::keep_alpha(const Alpha& alpha) {
+    try {
+        if (recovery_wanted_ && !recovery_) open_recovery();
+        if (recovery_) kept_alphas_[alpha.hash()] = relievo::keep_alpha(recovery_->path(), alpha);
+    } catch (const std::exception& error) {
+        trouble_ = error.what();
+    }
+}
+
+// Where the image could not be kept, the journal names the user's own file.
+JournalOp Recorder::with_kept_alpha(const JournalOp& op) const {
+    const auto* stroke = std::get_if<StrokeOp>(&op);
+    const auto kept = stroke && stroke->alpha ? kept_alphas_.find(stroke->alpha->hash) : kept_alphas_.end();
+    if (kept == kept_alphas_.end()) return op;
+    StrokeOp moved = *stroke;
+    moved.alpha->file = kept->second;
+    return moved;
+}
+
+// An image named from the journal's folder, so that both can move together.
+JournalOp Recorder::beside_journal(const JournalOp& op) const {
+    const auto* stroke = std::get_if<StrokeOp>(&op);
+    if (!stroke || !stroke->alpha) return op;
+    StrokeOp moved = *stroke;
+    const fs::path folder = fs::absolute(journal_->path()).parent_path();
+    if (fs::path file = moved.alpha->file.lexically_relative(folder); !file.empty()) moved.alpha->file = file;
+    return moved;
 }
 
 void Recorder::keep_base(const fs::path& map) {

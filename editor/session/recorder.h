@@ -2,10 +2,13 @@
 // both.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 
+#include "brushes/alpha.h"
 #include "editor/session/journal_writer.h"
 
 namespace relievo {
@@ -23,6 +26,8 @@ class Recorder {
 
     // Never throws for trouble with files: error() tells, and the session goes on.
     void record(const JournalOp& op);
+    // Call before a stroke with this image is recorded.
+    void keep_alpha(const Alpha& alpha);
     // Call before a save replaces `map`, the file that the session started from.
     void keep_base(const std::filesystem::path& map);
     void discard_recovery();
@@ -30,9 +35,12 @@ class Recorder {
 
   private:
     void open_recovery();
+    JournalOp with_kept_alpha(const JournalOp& op) const;
+    JournalOp beside_journal(const JournalOp& op) const;
 
     JournalHeader header_;
     std::filesystem::path start_map_;
+    std::map<std::uint64_t, std::filesystem::path> kept_alphas_;  // beside the recovery journal, by hash
     bool recovery_wanted_;
     std::unique_ptr<JournalWriter> journal_, recovery_;
     std::string trouble_;

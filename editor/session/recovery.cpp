@@ -24,6 +24,11 @@ fs::path base_map_stem(const fs::path& journal) {
     return stem.replace_extension(".base");
 }
 
+// NAME.alpha-HASH.exr beside NAME.jsonl.
+std::string alpha_prefix(const fs::path& journal) {
+    return journal.stem().string() + ".alpha-";
+}
+
 // A writer holds a lock on its journal until its process ends, however it ends.
 bool writer_lives(const fs::path& journal) {
     const int file = open(journal.c_str(), O_RDONLY | O_CLOEXEC);
@@ -88,6 +93,10 @@ std::vector<AbandonedJournal> find_abandoned_journals() {
 
 void remove_recovery(const fs::path& journal) {
     std::error_code ignored;
+    std::vector<fs::path> images;
+    for (const auto& file : fs::directory_iterator(journal.parent_path(), ignored))
+        if (file.path().filename().string().starts_with(alpha_prefix(journal))) images.push_back(file.path());
+    for (const fs::path& image : images) fs::remove(image, ignored);
     if (const fs::path base = base_map_of(journal); !base.empty()) fs::remove(base, ignored);
     fs::remove(journal, ignored);
 }
@@ -106,6 +115,12 @@ void keep_base_map(const fs::path& journal, const fs::path& map) {
     if (error)
         throw std::runtime_error(base.string() +
                                  ": cannot keep the map for crash recovery: " + error.message());
+}
+
+fs::path keep_alpha(const fs::path& journal, const Alpha& alpha) {
+    const fs::path kept = journal.parent_path() / (alpha_prefix(journal) + hash_text(alpha.hash()) + ".exr");
+    if (!fs::exists(kept)) save_alpha(alpha, kept);
+    return kept;
 }
 
 fs::path base_map_of(const fs::path& journal) {

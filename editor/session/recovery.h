@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "brushes/alpha.h"
 #include "editor/session/journal.h"
 
 namespace relievo {
@@ -29,7 +30,12 @@ struct AbandonedJournal {
 // that died with nothing unsaved are deleted.
 std::vector<AbandonedJournal> find_abandoned_journals();
 
-// Deletes a recovery journal and its base map, after it was restored or declined.
+// Keeps a stamp's image beside the journal, so that recovery needs no file that may be gone or another by
+// then. Once for each image. Returns the path of what is kept. Throws std::invalid_argument when it cannot be
+// written.
+std::filesystem::path keep_alpha(const std::filesystem::path& journal, const Alpha& alpha);
+
+// Deletes a recovery journal, its images and its base map, after it was restored or declined.
 void remove_recovery(const std::filesystem::path& journal);
 
 // Keeps the bytes of `map` beside the journal before a save replaces them: by a hard link where the file

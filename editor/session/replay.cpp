@@ -2,6 +2,7 @@
 #include "editor/session/replay.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "editor/session/mesh_hash.h"
@@ -56,6 +57,7 @@ class Replayer {
 
     ReplayReport run() {
         check_start(journal_, session_, options_.force);
+        load_alphas();
         std::size_t dabs = 0;
         for (const JournalEntry& entry : journal_.entries)
             if (const auto* stroke = std::get_if<StrokeOp>(&entry.op)) dabs += stroke->dabs.size();
@@ -76,21 +78,22 @@ class Replayer {
                 fail("dabs[" + std::to_string(i) + "][1]: is " + std::to_string(op.dabs[i].face) +
                      ", the mesh has " + std::to_string(faces) + " faces, counted from 0");
         if (session_.procedural(0)) fail("stroke: the heights are procedural; a bake comes first");
-        for (std::size_t i = 0; i < op.copies.size(); ++i)
-            for (const FacePoint& point : op.copies[i])
-                if (point.face >= faces)
-                    fail("copies[" + std::to_string(i) + "]: names face " + std::to_string(point.face) +
-                         ", the mesh has " + std::to_string(faces) + " faces, counted from 0");
+        check_points("copies", op.copies, faces);
+        check_points("sources", op.sources, faces);
         session_.brush() = op.brush;
+        if (op.alpha) session_.set_alpha(alphas_.at(journal_.resolve(op.alpha->file)));
+        if (!op.sources.empty())
+            session_.set_clone_source(op.dabs.empty() ? FacePoint() : op.sources.front().front());
         try {
             session_.begin_stroke();
         } catch (const std::invalid_argument& error) {
             fail(error.what());
         }
-        std::vector<FacePoint> copies(op.copies.size());
+        std::vector<FacePoint> copies(op.copies.size()), sources(op.sources.size());
         for (std::size_t k = 0; k < op.dabs.size(); ++k) {
             for (std::size_t i = 0; i < copies.size(); ++i) copies[i] = op.copies[i][k];
-            session_.dab(op.dabs[k], copies);
+            for (std::size_t i = 0; i < sources.size(); ++i) sources[i] = op.sources[i][k];
+            session_.dab(op.dabs[k], copies, sources);
             if (options_.live && report_.dab_times.size() % dabs_per_trace_ == 0) trace_around_dab();
             report_.dab_times.push_back(session_.times());
         }
@@ -180,6 +183,35 @@ class Replayer {
     std::string where() const { return journal_.path.string() + ":" + std::to_string(line_) + ": "; }
     [[noreturn]] void fail(const std::string& what) const { throw std::invalid_argument(where() + what); }
 
+    // All of them before the first operation: an image that is missing leaves nothing half done.
+    void load_alphas() {
+        for (const JournalEntry& entry : journal_.entries) {
+            const auto* stroke = std::get_if<StrokeOp>(&entry.op);
+            if (!stroke || !stroke->alpha) continue;
+            line_ = entry.line;
+            const fs::path path = journal_.resolve(stroke->alpha->file);
+            std::shared_ptr<const Alpha>& alpha = alphas_[path];
+            try {
+                if (!alpha) alpha = load_alpha(path);
+            } catch (const std::invalid_argument& error) {
+                fail(error.what());
+            }
+            if (alpha->hash() != stroke->alpha->hash && !options_.force)
+                fail("alpha '" + path.string() + "': the image has changed: recorded with " +
+                     hash_text(stroke->alpha->hash) + ", it is " + hash_text(alpha->hash()) +
+                     "; put the recorded image back, or give --force");
+        }
+    }
+
+    void check_points(const std::string& key, const std::vector<std::vector<FacePoint>>& lists,
+                      std::uint32_t faces) const {
+        for (std::size_t i = 0; i < lists.size(); ++i)
+            for (const FacePoint& point : lists[i])
+                if (point.face >= faces)
+                    fail(key + "[" + std::to_string(i) + "]: names face " + std::to_string(point.face) +
+                         ", the mesh has " + std::to_string(faces) + " faces, counted from 0");
+    }
+
     int spp(const std::optional<int>& given) const {
         return given ? *given : options_.spp > 0 ? options_.spp : session_.scene().image.spp;
     }
@@ -215,6 +247,7 @@ class Replayer {
     Session& session_;
     const ReplayOptions& options_;
     ReplayReport report_;
+    std::map<fs::path, std::shared_ptr<const Alpha>> alphas_;
     std::size_t dabs_per_trace_ = 1;
     int line_ = 0;
 };

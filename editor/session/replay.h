@@ -14,7 +14,7 @@
 namespace relievo {
 
 struct ReplayOptions {
-    bool force = false;  // go on though mesh or map differ from the recorded ones
+    bool force = false;  // go on though mesh, map or stamped images differ from the recorded ones
     bool live = false;  // trace the window around the brush, as the editor does while a stroke runs, at up to
                         // kLiveTraces dabs spread evenly over the journal
     int spp = 0;        // of `render` and `expect_image` lines that name none; 0: the scene's
@@ -35,9 +35,10 @@ constexpr std::size_t kLiveTraces = 200;
 // A journal that renders needs a session with a renderer.
 bool needs_renderer(const Journal& journal);
 
-// Throws std::invalid_argument when the session's mesh or map is not the one that the journal was recorded on
-// (with `force` only where dabs could not be applied), or when an operation does not fit; std::runtime_error
-// when rendering fails. A failed expectation is no error here: the replay goes on, and the report tells.
+// Throws std::invalid_argument when the session's mesh or map, or an image that was stamped, is not the one
+// that the journal was recorded with (with `force` only where dabs could not be applied), or when an
+// operation does not fit; std::runtime_error when rendering fails. A failed expectation is no error here: the
+// replay goes on, and the report tells.
 ReplayReport replay(const Journal& journal, Session& session, const ReplayOptions& options = {});
 
 struct StageSummary {

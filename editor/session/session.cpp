@@ -16,6 +16,7 @@
 #include "editor/session/session_view.h"
 #include "editor/session/settings.h"
 #include "editor/session/steps.h"
+#include "editor/session/surface/clone_source.h"
 #include "editor/session/surface/mesh_surface.h"
 #include "editor/session/surface/symmetric_dabs.h"
 
@@ -142,6 +143,12 @@ struct Session::State {
         return *symmetric;
     }
 
+    // On the base mesh, and within its face.
+    bool exists(const FacePoint& point) const {
+        return point.face < surface->face_count() && point.b1 <= Dab::kBarycentricOne &&
+               point.b2 <= Dab::kBarycentricOne - point.b1;
+    }
+
     void restart_image() {
         if (view) view->restart();
     }
@@ -163,6 +170,8 @@ struct Session::State {
     Steps steps;
     Brush brush;
     StrokeSettings stroke_settings;
+    std::shared_ptr<const Alpha> alpha;  // of stamp
+    CloneSource clone_source;
     StrokeOp stroke;                         // under way
     std::size_t copies = 0;                  // of each of its dabs
     std::optional<SymmetricDabs> symmetric;  // made at a stroke's first dab that needs it
@@ -236,6 +245,28 @@ const JournalHeader& Session::header() const {
 Brush& Session::brush() {
     return state_->brush;
 }
+const Brush& Session::brush() const {
+    return state_->brush;
+}
+
+const std::shared_ptr<const Alpha>& Session::alpha() const {
+    return state_->alpha;
+}
+
+void Session::set_alpha(std::shared_ptr<const Alpha> alpha) {
+    state_->alpha = std::move(alpha);
+}
+
+void Session::set_clone_source(const FacePoint& source) {
+    if (!state_->exists(source)) throw std::out_of_range("the source of clone lies on no face of the mesh");
+    state_->clone_source.set(source);
+}
+
+std::optional<FacePoint> Session::clone_source(const FacePoint& target) const {
+    const State& s = *state_;
+    if (!s.clone_source.is_set() || !s.exists(target)) return std::nullopt;
+    return s.clone_source.foreseen(*s.surface, target).point;
+}
 
 StrokeSettings& Session::stroke_settings() {
     return state_->stroke_settings;
@@ -268,26 +299,42 @@ void Session::begin_stroke() {
     if (s.source)
         throw std::invalid_argument("the heights are procedural: bake them into a map first, then sculpt that");
     check_brush(s.brush);
-    s.sculptor->begin(s.brush);
+    const bool clones = s.brush.tool == Tool::clone;
+    if (clones && !s.clone_source.is_set())
+        throw std::invalid_argument("clone: set first where the relief is to come from");
+    s.sculptor->begin(s.brush, s.alpha);
+    if (clones) s.clone_source.begin(s.stroke_settings.aligned);
     s.copies = symmetry_copies(s.brush, s.surface->world_from_object()).size() - 1;
     s.symmetric.reset();
     s.stroke = {s.brush, {}, std::vector<std::vector<FacePoint>>(s.copies)};
+    if (s.brush.tool == Tool::stamp) s.stroke.alpha = AlphaRef{s.alpha->path(), s.alpha->hash()};
+    if (clones) s.stroke.sources.resize(s.copies + 1);
     s.touched.reset();
 }
 
 void Session::dab(const Dab& dab) {
     State& s = *state_;
-    const bool looks = s.sculptor->in_stroke() && s.copies > 0 && dab.face < s.surface->face_count() &&
-                       dab.b1 <= Dab::kBarycentricOne && dab.b2 <= Dab::kBarycentricOne - dab.b1;
-    this->dab(dab, looks ? s.symmetry().copies_of(dab) : std::vector<FacePoint>());
+    const FacePoint point{dab.face, dab.b1, dab.b2};
+    if (!s.sculptor->in_stroke() || !s.exists(point)) return this->dab(dab, {});  // which says what is wrong
+    const auto with_copies = [&](const FacePoint& of) {
+        return s.copies > 0 ? s.symmetry().copies_of(of) : std::vector<FacePoint>();
+    };
+    if (s.stroke.brush.tool != Tool::clone) return this->dab(dab, with_copies(point));
+    const CloneSource::Place place = s.clone_source.at(*s.surface, point);
+    Dab turned = dab;
+    turned.drag = place.turn;
+    std::vector<FacePoint> sources = with_copies(place.point);
+    sources.insert(sources.begin(), place.point);
+    this->dab(turned, with_copies(point), sources);
 }
 
-void Session::dab(const Dab& dab, std::span<const FacePoint> copies) {
+void Session::dab(const Dab& dab, std::span<const FacePoint> copies, std::span<const FacePoint> sources) {
     State& s = *state_;
-    s.apply([&] { return s.sculptor->dab(dab, copies); },
+    s.apply([&] { return s.sculptor->dab(dab, copies, sources); },
             [&] {
                 s.stroke.dabs.push_back(dab);
                 for (std::size_t i = 0; i < copies.size(); ++i) s.stroke.copies[i].push_back(copies[i]);
+                for (std::size_t i = 0; i < sources.size(); ++i) s.stroke.sources[i].push_back(sources[i]);
             });
     constexpr auto kOne = static_cast<float>(Dab::kBarycentricOne);
     const glm::vec3 centre =
@@ -308,6 +355,7 @@ void Session::end_stroke() {
     s.apply([&] { return s.sculptor->end(); },
             [&] {
                 if (s.sculptor->steps_made() > steps_before) s.steps.add(s.stroke.brush.tool != Tool::mask);
+                if (s.stroke.alpha) s.recorder->keep_alpha(*s.alpha);
                 s.recorder->record(s.stroke);
             });
     s.restart_image();
@@ -316,6 +364,7 @@ void Session::end_stroke() {
 void Session::cancel_stroke() {
     State& s = *state_;
     s.apply([&] { return s.sculptor->cancel(); }, [] {});
+    if (s.stroke.brush.tool == Tool::clone) s.clone_source.cancel();
     if (!s.stroke.dabs.empty()) s.restart_image();
 }
 

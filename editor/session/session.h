@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "brushes/alpha.h"
 #include "brushes/brush.h"
 #include "brushes/height_map.h"
 #include "brushes/map_file.h"
@@ -79,6 +80,15 @@ class Session {
 
     // The brush that the next stroke takes. Its first radius is a tenth of the edited mesh's.
     Brush& brush();
+    const Brush& brush() const;
+    // The image that the stamp tool's next stroke presses in; null at first.
+    const std::shared_ptr<const Alpha>& alpha() const;
+    void set_alpha(std::shared_ptr<const Alpha> alpha);  // its path absolute: journals name it
+    // Where the clone tool takes the relief from. std::out_of_range when the mesh has no such face or the
+    // barycentrics are outside it.
+    void set_clone_source(const FacePoint& source);
+    // Where a dab at `target` would take it from; empty before set_clone_source().
+    std::optional<FacePoint> clone_source(const FacePoint& target) const;
     // How the next stroke's gestures become dabs.
     StrokeSettings& stroke_settings();
     // brush().radius, or where stroke_settings() counts it in pixels or texels, that many where the pointer
@@ -89,13 +99,14 @@ class Session {
     // Commands. Each is journaled when it is complete; a stroke is written and flushed at its end, with its
     // dabs; one without dabs leaves no trace. All but dab, end_stroke and cancel_stroke throw
     // std::logic_error in a stroke.
-    void begin_stroke();  // with brush(); std::invalid_argument when a setting is out of its range, or the
-                          // heights are procedural
-    // Copies that the brush's symmetry makes are found here, and journaled with it. std::out_of_range when
-    // the mesh has no such face.
+    void begin_stroke();  // with brush(); std::invalid_argument when a setting is out of its range, the
+                          // heights are procedural, stamp has no image or clone no source
+    // Copies that the brush's symmetry makes are found here, and so are clone's sources and the turn that the
+    // dab holds of them; both are journaled with it. std::out_of_range when the mesh has no such face.
     void dab(const Dab& dab);
-    // The same with the places of the copies given, as a journal has them: one for each copy.
-    void dab(const Dab& dab, std::span<const FacePoint> copies);
+    // The same with the places of the copies and the sources given, as a journal has them: one for each copy,
+    // and for clone one for the dab itself and one for each copy.
+    void dab(const Dab& dab, std::span<const FacePoint> copies, std::span<const FacePoint> sources = {});
     void end_stroke();
     void cancel_stroke();
     bool in_stroke() const;

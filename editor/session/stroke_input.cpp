@@ -47,15 +47,21 @@ Dab quantised_dab(const PickHit& hit, std::uint64_t time_us, double pressure) {
     return dab;
 }
 
+// The longest string of a trail, and how far a stroke must have gone to have a direction, over the radius.
+constexpr double kTrail = 0.5, kFirstWay = 0.25;
+
 StrokeInput::StrokeInput(const Brush& brush, Pick pick, CameraRay camera_ray, Apply apply,
                          const StrokeSettings& settings)
     : radius_(static_cast<double>(brush.radius)),
-      spacing_(radius_ * static_cast<double>(brush.spacing)),
+      spacing_(radius_ *
+               static_cast<double>(brush.tool == Tool::stamp ? brush.stamp_spacing : brush.spacing)),
       pick_(std::move(pick)),
       camera_ray_(std::move(camera_ray)),
       apply_(std::move(apply)),
       settings_(settings),
-      grabs_(brush.tool == Tool::grab) {
+      grabs_(brush.tool == Tool::grab),
+      stamps_(brush.tool == Tool::stamp),
+      trail_(kTrail * radius_) {
     check_stroke_settings(settings);
 }
 
@@ -68,9 +74,13 @@ void StrokeInput::begin(const PointerEvent& event) {
     drag_ = sent_drag_ = glm::dvec3(0);
     last_ = pick_along({event}).front();
     held_.reset();
+    waiting_.reset();
+    trail_.start(glm::dvec3(0));
     if (!last_->hit.hit) return;
     if (grabs_) held_ = last_;
-    emit(*last_);
+    std::vector<Due> dabs;
+    start_part(*last_, dabs);
+    if (!dabs.empty()) emit(*last_, glm::dvec3(0));
 }
 
 void StrokeInput::move(const PointerEvent& event) {
@@ -88,10 +98,10 @@ void StrokeInput::rest(std::uint64_t time_us) {
         const auto due = static_cast<std::uint64_t>(static_cast<double>(timed_dabs_) * period_us);
         if (start_us_ + due > time_us) return;
         // Afresh, for the dabs before may have moved the surface.
+        if (waiting_) place({{*std::exchange(waiting_, std::nullopt), trail_.direction()}});
         PointerEvent at = last_->at;
         at.time_us = start_us_ + due;
-        const Sample sample = pick_along({at}).front();
-        if (sample.hit.hit) emit(sample);
+        place({{at, trail_.direction()}});
     }
 }
 
@@ -131,15 +141,36 @@ PickHit StrokeInput::strayed(const Sample& sample, std::uint32_t index) const {
     return hit.hit ? hit : sample.hit;
 }
 
-void StrokeInput::emit(const Sample& sample) {
+// Where a stamp's right is to lie, unit: along the stroke if that is asked for and it has a direction, else
+// along the picture's right. Turned at random about the surface's normal by the rotation's jitter.
+glm::dvec3 StrokeInput::stamp_right(const Sample& sample, glm::dvec3 direction, std::uint32_t index) const {
+    const double length = glm::length(direction);
+    glm::dvec3 right = direction / length;
+    if (!settings_.along_stroke || !(length > 1e-9 * radius_)) {
+        const Ray beside = camera_ray_(sample.at.x_px + 1, sample.at.y_px);
+        const glm::dvec3 across =
+            glm::normalize(glm::dvec3(beside.direction)) - glm::normalize(glm::dvec3(sample.ray.direction));
+        if (!(glm::length(across) > 0)) return glm::dvec3(0);
+        right = glm::normalize(across);
+    }
+    const glm::dvec3 n(sample.hit.normal);
+    if (!(settings_.rotation_jitter > 0) || !(std::abs(glm::length(n) - 1) < 0.01)) return right;
+    const double most = static_cast<double>(settings_.rotation_jitter) * (3.14159265358979323846 / 180);
+    const double angle = most * (2 * random_number(settings_.seed, index, 2) - 1);
+    return right * std::cos(angle) + glm::cross(n, right) * std::sin(angle) +
+           n * (glm::dot(n, right) * (1 - std::cos(angle)));
+}
+
+void StrokeInput::emit(const Sample& sample, glm::dvec3 direction) {
     const std::uint32_t index = dabs_++;
     const double much = static_cast<double>(settings_.strength_by_pressure);
     const double strength = 1.0 - much * (1.0 - sample.at.pressure);
     const PickHit hit = settings_.jitter > 0 && !grabs_ ? strayed(sample, index) : sample.hit;
     Dab dab = quantised_dab(hit, sample.at.time_us - start_us_, much == 1.0 ? sample.at.pressure : strength);
     dab.size = std::max(1u, quantise(size(sample.at.pressure), Dab::kSizeOne));
+    const glm::dvec3 hand = stamps_ ? stamp_right(sample, direction, index) : drag_ / radius_;
     for (int k = 0; k < 3; ++k) {
-        const double units = drag_[k] / radius_ * Dab::kDragOne;
+        const double units = hand[k] * Dab::kDragOne;
         constexpr double kMost = Dab::kLargestDrag;
         dab.drag[static_cast<std::size_t>(k)] =
             std::isfinite(units) ? static_cast<std::int32_t>(std::llround(std::clamp(units, -kMost, kMost)))
@@ -162,7 +193,7 @@ void StrokeInput::draw_held(const PointerEvent& event, bool last) {
     Sample sample = *held_;
     sample.at = event;
     sample.at.time_us = std::max(event.time_us, start_us_);
-    emit(sample);
+    emit(sample, glm::dvec3(0));
 }
 
 void StrokeInput::end(const PointerEvent& event) {
@@ -172,6 +203,7 @@ void StrokeInput::end(const PointerEvent& event) {
         rest(event.time_us);
         const PointerEvent at = pulled(event);
         if (last_ && distance_px(last_->at, at) > 0) stretch_to(at);
+        if (waiting_) place({{*std::exchange(waiting_, std::nullopt), trail_.direction()}});
     }
     last_.reset();
     held_.reset();
@@ -196,17 +228,36 @@ void StrokeInput::stretch_to(const PointerEvent& to) {
     const int steps = std::max(1, static_cast<int>(std::ceil(distance_px(from, event) / kStepPx)));
     std::vector<PointerEvent> points;
     for (int i = 1; i <= steps; ++i) points.push_back(between(from, event, static_cast<double>(i) / steps));
-    std::vector<PointerEvent> dabs;
+    std::vector<Due> dabs;
     if (settings_.rate > 0) {
         last_ = pick_along({event}).front();
-        return;
+        follow(*last_, dabs);
+        return place(dabs);
     }
     for (const Sample& next : pick_along(points)) walk(next, dabs);
-    if (!dabs.empty()) place(dabs);
+    place(dabs);
+}
+
+// The trail goes on to the next sample; a first dab that has waited for a direction is due as soon as there
+// is one, at the latest where the second one is.
+void StrokeInput::follow(const Sample& next, std::vector<Due>& dabs) {
+    if (!next.hit.hit) return;
+    trail_.go_to(glm::dvec3(next.hit.position));
+    if (waiting_ && trail_.stretched() >= std::min(kFirstWay * radius_, spacing_))
+        dabs.push_back({*std::exchange(waiting_, std::nullopt), trail_.direction()});
 }
 
 // Goes on from the last sample to the next, and notes where dabs fall.
-void StrokeInput::walk(const Sample& next, std::vector<PointerEvent>& dabs) {
+void StrokeInput::start_part(const Sample& first, std::vector<Due>& dabs) {
+    if (waiting_) dabs.push_back({*std::exchange(waiting_, std::nullopt), trail_.direction()});
+    trail_.start(glm::dvec3(first.hit.position));
+    if (stamps_ && settings_.along_stroke)
+        waiting_ = first.at;
+    else
+        dabs.push_back({first.at, glm::dvec3(0)});
+}
+
+void StrokeInput::walk(const Sample& next, std::vector<Due>& dabs) {
     const Sample last = std::exchange(*last_, next);
     if (!next.hit.hit) return;
     const double length = static_cast<double>(glm::length(next.hit.position - last.hit.position));
@@ -215,21 +266,26 @@ void StrokeInput::walk(const Sample& next, std::vector<PointerEvent>& dabs) {
                                                           glm::normalize(last.ray.direction)));
     if (!last.hit.hit || (length > kSteepest * across && length > radius_)) {
         since_dab_ = 0;
-        dabs.push_back(next.at);
-        return;
+        return start_part(next, dabs);
     }
+    follow(next, dabs);
     if (length == 0) return;
     const double spacing = std::max(spacing_ * size(next.at.pressure), length / kDabsPerStep);
     double walked = std::max(0.0, spacing - since_dab_);  // along this step, to the next dab
     for (; walked <= length; walked += spacing) {
-        dabs.push_back(between(last.at, next.at, std::max(0.0, walked) / length));
+        dabs.push_back({between(last.at, next.at, std::max(0.0, walked) / length), trail_.direction()});
     }
     since_dab_ = length - (walked - spacing);
 }
 
-void StrokeInput::place(const std::vector<PointerEvent>& points) {
-    for (const Sample& sample : pick_along(points))
-        if (sample.hit.hit) emit(sample);
+// All are looked for on the surface as it is before the first of them.
+void StrokeInput::place(const std::vector<Due>& dabs) {
+    if (dabs.empty()) return;
+    std::vector<PointerEvent> points;
+    for (const Due& due : dabs) points.push_back(due.at);
+    const std::vector<Sample> samples = pick_along(points);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (samples[i].hit.hit) emit(samples[i], dabs[i].direction);
 }
 
 }  // namespace relievo

@@ -6,6 +6,10 @@
 //
 // The grab tool does not walk: its dabs stay where the hand took hold, and carry how far the pointer has
 // drawn it in the plane across the view.
+//
+// The dabs of a stamp carry where the image's right is to lie: along the picture's right, or along the
+// stroke. In the latter case the first dab of a stroke, or of a part of it behind a gap, waits until there is
+// a direction, or the end.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +21,7 @@
 
 #include "brushes/brush.h"
 #include "editor/session/stroke_settings.h"
+#include "editor/session/stroke_trail.h"
 #include "renderer/renderer.h"
 
 namespace relievo {
@@ -52,12 +57,20 @@ class StrokeInput {
         Ray ray;
     };
 
+    struct Due {  // a dab, where the surface is not looked at yet
+        PointerEvent at;
+        glm::dvec3 direction;  // of the stroke there; zero: it has none
+    };
+
     std::vector<Sample> pick_along(const std::vector<PointerEvent>& points) const;
     void stretch_to(const PointerEvent& to);
-    void walk(const Sample& next, std::vector<PointerEvent>& dabs);
-    void place(const std::vector<PointerEvent>& points);
+    void walk(const Sample& next, std::vector<Due>& dabs);
+    void start_part(const Sample& first, std::vector<Due>& dabs);
+    void place(const std::vector<Due>& dabs);
+    void follow(const Sample& next, std::vector<Due>& dabs);
     PointerEvent pulled(const PointerEvent& event);
-    void emit(const Sample& sample);
+    void emit(const Sample& sample, glm::dvec3 direction);
+    glm::dvec3 stamp_right(const Sample& sample, glm::dvec3 direction, std::uint32_t index) const;
     PickHit strayed(const Sample& sample, std::uint32_t index) const;
     double size(double pressure) const;
     void draw_held(const PointerEvent& event, bool last);
@@ -67,7 +80,9 @@ class StrokeInput {
     CameraRay camera_ray_;
     Apply apply_;
     StrokeSettings settings_;
-    bool grabs_;
+    bool grabs_, stamps_;
+    StrokeTrail trail_;
+    std::optional<PointerEvent> waiting_;  // the first dab of a stamp that lies along the stroke
     std::uint64_t start_us_ = 0;
     std::uint64_t timed_dabs_ = 0;       // of the airbrush so far
     std::uint32_t dabs_ = 0;             // so far

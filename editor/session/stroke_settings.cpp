@@ -25,6 +25,16 @@ constexpr std::array kParameters{
                     &StrokeSettings::size_by_pressure},
     StrokeParameter{"strength_by_pressure", "", "How much the pen's pressure makes the strength", 0.0f, 1.0f,
                     1.0f, &StrokeSettings::strength_by_pressure},
+    StrokeParameter{"rotation_jitter", "degrees", "How far stamps are turned at random, either way", 0.0f,
+                    180.0f, 0.0f, &StrokeSettings::rotation_jitter, tool_set({Tool::stamp})},
+};
+
+constexpr std::array kFlags{
+    StrokeFlag{"along_stroke",
+               "The image's right lies along the stroke; off, it stands upright in the picture",
+               &StrokeSettings::along_stroke, tool_set({Tool::stamp})},
+    StrokeFlag{"aligned", "Later strokes keep the first one's offset; off, each starts at the source again",
+               &StrokeSettings::aligned, tool_set({Tool::clone})},
 };
 
 constexpr std::array<std::string_view, 3> kUnits{"world", "screen", "texel"};
@@ -33,6 +43,9 @@ constexpr std::array<std::string_view, 3> kUnits{"world", "screen", "texel"};
 
 std::span<const StrokeParameter> stroke_parameters() {
     return kParameters;
+}
+std::span<const StrokeFlag> stroke_flags() {
+    return kFlags;
 }
 std::span<const std::string_view> radius_unit_names() {
     return kUnits;

@@ -292,6 +292,25 @@ int exit_status(const std::string& arguments) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+TEST(SampleAssets, images_for_the_stamp_reach_high_and_fade_out_before_their_border) {
+    int count = 0;
+    for (const auto& file : fs::directory_iterator(environment("RELIEVO_ASSETS_FIRST") / "alphas")) {
+        const MapFile image = read_map(file.path());
+        int border = 0, highest = 0;
+        for (int y = 0; y < image.side; ++y)
+            for (int x = 0; x < image.side; ++x) {
+                const int value = image.counts[static_cast<std::size_t>(y * image.side + x)];
+                const double dx = 2.0 * x + 1 - image.side, dy = 2.0 * y + 1 - image.side;
+                highest = std::max(highest, value);
+                if (std::hypot(dx, dy) > image.side) border = std::max(border, value);
+            }
+        EXPECT_EQ(border, 0) << file.path() << ": beyond the brush's round";
+        EXPECT_GT(highest, 40000) << file.path();
+        ++count;
+    }
+    EXPECT_EQ(count, 8);
+}
+
 TEST(SampleAssets, bad_usage_ends_with_status_2) {
     const std::string folder = "-o " + (environment("RELIEVO_ASSETS_FIRST") / "unused").string();
     EXPECT_EQ(exit_status(""), 2);

@@ -32,7 +32,7 @@ SurfacePoint ChartSurface::at(std::uint32_t face, float b1, float b2) const {
     const double sum = double{b1} + double{b2};
     const double u = face % 2 == 0 ? sum : double{b2}, v = face % 2 == 0 ? double{b2} : sum;
     const glm::dvec2 point = chart.low + glm::dvec2(u, v) * size;
-    return {{point.x, point.y, height(counts(face / 2, point))}, {0, 0, 1}};
+    return {{point.x, point.y, height(counts(face / 2, point))}, {0, 0, 1}, {point.x, point.y, 0}, {0, 0, 1}};
 }
 
 void ChartSurface::texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const {
@@ -146,26 +146,36 @@ Chart unit_chart(const HeightMap& map) {
     return {{0, 0}, {1, 1}, {0, 0}, {map.width(), 0}, {0, map.height()}};
 }
 
+std::shared_ptr<const Alpha> sloping_alpha() {
+    return std::make_shared<const Alpha>("slope", 2, 2, std::vector<float>{0.25f, 1.0f, 0.5f, 0.75f});
+}
+
+std::vector<FacePoint> sources_of(const Brush& brush, const ChartSurface& surface, glm::dvec2 at) {
+    if (brush.tool != Tool::clone) return {};
+    const Dab dab = surface.dab(std::min(at.x + 0.3, 1.0), std::max(at.y - 0.1, 0.0));
+    return {{dab.face, dab.b1, dab.b2}};
+}
+
 void drag(Sculptor& sculptor, const ChartSurface& surface, const Brush& brush, glm::dvec2 from,
           glm::dvec2 to) {
     const double step = double{brush.radius} * double{brush.spacing};
     const int count = std::max(1, static_cast<int>(std::lround(glm::length(to - from) / step)));
     for (int i = 0; i <= count; ++i) {
         const glm::dvec2 point = from + (to - from) * (i / double(count));
-        sculptor.dab(surface.dab(point.x, point.y));
+        sculptor.dab(surface.dab(point.x, point.y), {}, sources_of(brush, surface, point));
     }
 }
 
 void stroke(Sculptor& sculptor, const ChartSurface& surface, const Brush& brush, glm::dvec2 from,
             glm::dvec2 to) {
-    sculptor.begin(brush);
+    sculptor.begin(brush, sloping_alpha());
     drag(sculptor, surface, brush, from, to);
     sculptor.end();
 }
 
 void tap(Sculptor& sculptor, const ChartSurface& surface, const Brush& brush, glm::dvec2 at) {
-    sculptor.begin(brush);
-    sculptor.dab(surface.dab(at.x, at.y));
+    sculptor.begin(brush, sloping_alpha());
+    sculptor.dab(surface.dab(at.x, at.y), {}, sources_of(brush, surface, at));
     sculptor.end();
 }
 

@@ -60,6 +60,11 @@ class ChartSurface : public Surface {
 // The unit square over the whole map.
 Chart unit_chart(const HeightMap& map);
 
+// What stamp and clone need beside a dab: an image with a slope, and a source that lies beside the dab (for
+// clone alone).
+std::shared_ptr<const Alpha> sloping_alpha();
+std::vector<FacePoint> sources_of(const Brush& brush, const ChartSurface& surface, glm::dvec2 at);
+
 // A straight stroke with dabs spaced as the brush says. Does not end it.
 void drag(Sculptor& sculptor, const ChartSurface& surface, const Brush& brush, glm::dvec2 from,
           glm::dvec2 to);

@@ -27,11 +27,12 @@ Brush brush_of(Tool tool, float radius = 0.2f, float strength = 1.0f) {
 
 void use(Plane& plane, Tool tool) {
     const Brush brush = brush_of(tool, 0.3f);
-    plane.sculptor.begin(brush);
+    plane.sculptor.begin(brush, sloping_alpha());
     for (int i = 0; i <= 10; ++i) {
-        Dab dab = plane.surface.dab(0.3 + (tool == Tool::grab ? 0 : 0.04 * i), 0.5);
+        const glm::dvec2 at(0.3 + (tool == Tool::grab ? 0 : 0.04 * i), 0.5);
+        Dab dab = plane.surface.dab(at.x, at.y);
         dab.drag = {i * 5000, 1000, i * 4000};
-        plane.sculptor.dab(dab);
+        plane.sculptor.dab(dab, {}, sources_of(brush, plane.surface, at));
     }
     plane.sculptor.end();
 }

@@ -61,10 +61,11 @@ TEST(AlignedSeam, every_tool_leaves_a_gap_of_zero_counts_after_every_dab) {
     AlignedIslands islands;
     Sculptor sculptor(islands.map, islands.surface);
     for (const ToolInfo& info : tools()) {
-        sculptor.begin(brush_of(info.tool, 0.15f, 0.8f));
+        const Brush brush = brush_of(info.tool, 0.15f, 0.8f);
+        sculptor.begin(brush, sloping_alpha());
         for (int i = 0; i <= 30; ++i) {
-            const double t = i / 30.0;
-            sculptor.dab(islands.surface.dab(0.3 + 0.4 * t, 0.02 + 0.96 * t));
+            const glm::dvec2 at(0.3 + 0.4 * (i / 30.0), 0.02 + 0.96 * (i / 30.0));
+            sculptor.dab(islands.surface.dab(at.x, at.y), {}, sources_of(brush, islands.surface, at));
             ASSERT_EQ(islands.gap(), 0.0) << info.name << ", dab " << i;
         }
         sculptor.end();

@@ -126,7 +126,7 @@ TEST(EveryTool, maps_of_one_texel_one_row_and_one_column) {
             const std::uint64_t before = map.hash();
             stroke(sculptor, surface, brush_of(info.tool, 0.7f), {0.4, 0.4}, {0.6, 0.6});
             const bool changes = holds(tool_set({Tool::draw, Tool::level, Tool::erase, Tool::inflate,
-                                                 Tool::clay, Tool::crease, Tool::noise}),
+                                                 Tool::clay, Tool::crease, Tool::noise, Tool::stamp}),
                                        info.tool);
             EXPECT_EQ(map.hash() != before, changes) << info.name << " on " << width << " x " << height;
             sculptor.undo();

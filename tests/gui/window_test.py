@@ -422,14 +422,9 @@ def no_display(case):
     assert len(lines) == 1 and "display" in lines[0].lower(), result.stderr
 
 
-def main():
-    cases = {function.__name__: function
-             for function in (stroke_saves_and_replays, mask_is_shown_darker_and_in_no_journal, modifiers_and_cancel,
-                              crash_offers_recovery, moving_tools_and_mask_survive_a_kill,
-                              quit_asks_for_unsaved_work, resized_and_reopened, views_show_the_surface_each_in_its_way,
-                              two_methods_side_by_side_while_sculpting, why_this_pixel_lists_its_ray,
-                              first_start_opens_the_sample_with_a_hint,
-                              views_are_kept_and_drags_cancelled, new_map_export_and_revert, no_display)}
+def run(functions):
+    """Runs the case that the command line names."""
+    cases = {function.__name__: function for function in functions}
     parser = argparse.ArgumentParser()
     parser.add_argument("case", choices=cases)
     parser.add_argument("--relievo", required=True, type=os.path.abspath)
@@ -448,4 +443,8 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    run((stroke_saves_and_replays, mask_is_shown_darker_and_in_no_journal, modifiers_and_cancel, crash_offers_recovery,
+         moving_tools_and_mask_survive_a_kill, quit_asks_for_unsaved_work, resized_and_reopened,
+         views_show_the_surface_each_in_its_way, two_methods_side_by_side_while_sculpting,
+         why_this_pixel_lists_its_ray, first_start_opens_the_sample_with_a_hint,
+         views_are_kept_and_drags_cancelled, new_map_export_and_revert, no_display))

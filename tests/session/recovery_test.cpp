@@ -163,5 +163,25 @@ TEST_F(Recovery, AStateFolderThatCannotBeMadeIsReportedAndSculptingGoesOn) {
     EXPECT_TRUE(session.undo());
 }
 
+TEST_F(Recovery, AStampIsRestoredThoughItsImageIsGoneAndNothingOfItStaysBehind) {
+    const auto image = folder_.path() / "a.exr";
+    save_alpha(Alpha(image, 2, 2, {0.1f, -0.7f, 0.3f, 1.0f}), image);
+    const auto stamp = [&](Session& session) {
+        session.set_alpha(load_alpha(image));
+        std::filesystem::remove(image);
+        sculpt(session, 2, 6, Tool::stamp);
+        sculpt(session, 4, 6, Tool::stamp);
+    };
+    run_killed(stamp);
+    const auto found = find_abandoned_journals();
+    ASSERT_EQ(found.size(), 1u);
+    Session session(scene_, test::headless());
+    replay(read_journal(found[0].journal), session);
+    save_alpha(Alpha(image, 2, 2, {0.1f, -0.7f, 0.3f, 1.0f}), image);
+    EXPECT_EQ(session.map().hash(), hash_after(stamp));
+    remove_recovery(found[0].journal);
+    EXPECT_TRUE(std::filesystem::is_empty(recovery_folder()));
+}
+
 }  // namespace
 }  // namespace relievo

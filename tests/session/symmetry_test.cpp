@@ -89,6 +89,9 @@ TEST(Symmetry, BothSidesOfTheMirrorAreEqualToTheLastCountWithEveryTool) {
     Session session(write_vault(folder.path()), test::headless());
     ASSERT_EQ(asymmetric_texels(session.map()), 0);
     session.brush().mirror_x = true;
+    session.set_alpha(
+        std::make_shared<const Alpha>(folder.path() / "a.png", 2, 2, std::vector{0.2f, 1.0f, 0.6f, 0.1f}));
+    session.set_clone_source({2 * (2 * kQuads + 1), 300000, 123457});
     for (const ToolInfo& info : tools()) {
         const std::uint64_t before = session.map().hash();
         sculpt_left(session, info.tool);

@@ -95,7 +95,8 @@ SurfacePoint MeshSurface::at(std::uint32_t face, float b1, float b2) const {
         const glm::dvec3 turn = has_normal ? (dn - unit * glm::dot(unit, dn)) / length : glm::dvec3(0);
         return p[i] - p[0] + glm::dot(slope, t[i] - t[0]) * unit + height * turn;
     };
-    SurfacePoint point{glm::vec3(u * p[0] + v * p[1] + w * p[2] + height * unit), glm::vec3(unit)};
+    const glm::dvec3 base = u * p[0] + v * p[1] + w * p[2];
+    SurfacePoint point{glm::vec3(base + height * unit), glm::vec3(unit), glm::vec3(base), glm::vec3(unit)};
     const glm::dvec3 geometric = glm::cross(tangent(1), tangent(2));
     if (usable(geometric)) {
         const glm::dvec3 normal = glm::normalize(geometric);

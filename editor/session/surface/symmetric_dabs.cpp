@@ -66,9 +66,9 @@ void SymmetricDabs::match_positions(const glm::dmat4& copy, std::vector<std::uin
     }
 }
 
-std::vector<FacePoint> SymmetricDabs::copies_of(const Dab& dab) const {
-    const auto& corners = mesh_.faces[dab.face].position;
-    const std::array<std::uint32_t, 3> parts{Dab::kBarycentricOne - dab.b1 - dab.b2, dab.b1, dab.b2};
+std::vector<FacePoint> SymmetricDabs::copies_of(const FacePoint& point) const {
+    const auto& corners = mesh_.faces[point.face].position;
+    const std::array<std::uint32_t, 3> parts{Dab::kBarycentricOne - point.b1 - point.b2, point.b1, point.b2};
     std::vector<FacePoint> places;
     for (std::size_t i = 1; i < copies_.size(); ++i) {
         std::array<std::uint32_t, 3> images{};

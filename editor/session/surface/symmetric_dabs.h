@@ -18,7 +18,7 @@ class SymmetricDabs {
 
     // One place for every copy but the hand's own. Where the mesh is symmetric, the mirrored face with the
     // mirrored barycentrics, exactly; elsewhere the point of the base mesh nearest to the copy's.
-    std::vector<FacePoint> copies_of(const Dab& dab) const;
+    std::vector<FacePoint> copies_of(const FacePoint& point) const;
 
   private:
     static constexpr std::uint32_t kNone = ~0u;
