@@ -50,6 +50,7 @@ json movable(const Scene& scene) {
     for (json& object : root["objects"]) {
         make_absolute(object, "mesh", folder);
         make_absolute(object, "opacity_map", folder);
+        if (object.contains("material")) make_absolute(object["material"], "albedo_map", folder);
         if (object.contains("displacement")) make_absolute(object["displacement"], "map", folder);
     }
     return root;

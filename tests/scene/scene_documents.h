@@ -110,6 +110,13 @@ inline constexpr SceneDocument kSceneDocuments[] = {
      "objects[0].material.albedo: has 2 items, must have 3"},
     {Verdict::bad, R"(object "material": {"albedo": [0, 0.5, 2]})",
      "objects[0].material.albedo[2]: is 2, must be in [0, 1]"},
+    {Verdict::good, R"(object "material": {"albedo_map": "quad.obj"})", ""},
+    {Verdict::bad, R"(object "material": {"albedo_map": [1, 1, 1]})",
+     "objects[0].material.albedo_map: is an array, must be a string"},
+    {Verdict::bad_beyond_schema, R"(object "material": {"albedo_map": "a.png"})", ""},
+    {Verdict::bad, R"(object "material": {"colour_map": "a.png"})",
+     "objects[0].material.colour_map: unknown key (known: albedo, albedo_map, roughness, "
+     "specular)"},
     {Verdict::bad, R"(object "material": {"roughness": 0})",
      "objects[0].material.roughness: is 0, must be in [0.02, 1]"},
 
