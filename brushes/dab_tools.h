@@ -23,6 +23,7 @@
 //   mask     as level, on the mask: to 65535, protected; inverted, to 0.
 //   grab     moves what the first dab held by s * f of the hand's drag, its relief along the surface and its
 //            height by the drag's part along the normal.
+// What a stroke paints stands in brushes/paint_stroke.h; invert does not turn colours.
 // invert turns draw, inflate, noise, clay, crease, pinch and mask round. Where the mask protects a texel, s
 // is less by as much. No tool but mask does anything where the amplitude is 0, not finite, or so small that a
 // count has no size.

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "brushes/fnv.h"
+
 namespace relievo {
 namespace {
 
@@ -14,21 +16,6 @@ std::size_t texel_count(int width, int height) {
                                     std::to_string(HeightMap::kMaxSize));
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
-
-class Fnv1a64 {
-  public:
-    template <typename Unsigned>
-    void add_little_endian(Unsigned value) {
-        for (std::size_t i = 0; i < sizeof(Unsigned); ++i) {
-            state_ ^= static_cast<std::uint8_t>(value >> (8 * i));
-            state_ *= 0x100000001b3ull;
-        }
-    }
-    std::uint64_t value() const { return state_; }
-
-  private:
-    std::uint64_t state_ = 0xcbf29ce484222325ull;
-};
 
 }  // namespace
 
