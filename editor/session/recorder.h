@@ -7,6 +7,7 @@
 #include <string>
 
 #include "editor/session/journal_writer.h"
+#include "editor/session/recovery.h"
 
 namespace relievo {
 
@@ -17,14 +18,16 @@ class Recorder {
     Recorder(const JournalHeader& header, const std::filesystem::path& journal, bool recovery);
     ~Recorder();
 
-    // `start_map`, when not empty, is a map file that the recovery journal must be replayed on instead of the
-    // scene's.
-    void set_start_map(const std::filesystem::path& start_map) { start_map_ = start_map; }
+    // Files that the recovery journal must be replayed on instead of the scene's; empty: the scene's.
+    void set_start_files(const std::filesystem::path& map, const std::filesystem::path& colours) {
+        start_map_ = map;
+        start_colours_ = colours;
+    }
 
     // Never throws for trouble with files: error() tells, and the session goes on.
     void record(const JournalOp& op);
-    // Call before a save replaces `map`, the file that the session started from.
-    void keep_base(const std::filesystem::path& map);
+    // Call before a save replaces a file that the session started from.
+    void keep_base(BaseFile which, const std::filesystem::path& file);
     void discard_recovery();
     std::string error() const;
 
@@ -32,7 +35,7 @@ class Recorder {
     void open_recovery();
 
     JournalHeader header_;
-    std::filesystem::path start_map_;
+    std::filesystem::path start_map_, start_colours_;
     bool recovery_wanted_;
     std::unique_ptr<JournalWriter> journal_, recovery_;
     std::string trouble_;
