@@ -25,6 +25,7 @@ class BrushCursor {
     void resize(Session& session);
     void hide() { centre_.reset(); }
 
+    std::optional<PickHit> hit() const { return centre_; }  // of the surface under the pointer
     std::optional<Spot> spot() const;  // empty: the pointer is not over the edited object
     // `x`, `y`: the picture's corner on screen. `lit`: while a stroke runs.
     void draw(ImDrawList& list, Session& session, PixelSize picture, double x, double y, bool lit) const;

@@ -47,7 +47,8 @@ void size_rows(Desk& desk) {
 void brush_rows(Desk& desk) {
     Brush& brush = desk.session.brush();
     for (const BrushParameter& parameter : brush_parameters()) {
-        if (parameter.name == "radius" || !holds(parameter.tools, brush.tool)) continue;
+        const bool has_own_row = parameter.name == "radius" || parameter.unit == "sRGB";
+        if (has_own_row || !holds(parameter.tools, brush.tool)) continue;
         const bool whole = parameter.high - parameter.low > 20;
         float& value = brush.*parameter.value;
         const Range range{parameter.low, parameter.high, false, whole ? "%.0f" : "%.3f"};
@@ -90,6 +91,7 @@ void mask_row(Desk& desk) {
 void draw_brush_section(Desk& desk) {
     if (!section("Brush")) return;
     size_rows(desk);
+    draw_colour_rows(desk);
     brush_rows(desk);
     row_label("Falloff");
     falloff_combo(desk);

@@ -14,6 +14,7 @@ void draw_status_bar(Desk& desk, const Box& box);
 
 // Sections of the side panel.
 void draw_brush_section(Desk& desk);
+void draw_colour_rows(Desk& desk);  // of the brush section: painting
 void draw_map_section(Desk& desk);
 void draw_source_section(Desk& desk);  // where the heights are procedural
 void draw_method_section(Desk& desk);

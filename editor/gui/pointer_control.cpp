@@ -69,7 +69,10 @@ void PointerControl::on_press(const InputEvent& local) {
         ask(local);
     } else if (local.code == GLFW_MOUSE_BUTTON_LEFT) {
         apply_camera();
-        desk_->attempt([&] { stroke_.begin(local); });
+        desk_->attempt([&] {
+            desk_->prepare_to_paint(stroke_.brush_for(local));
+            stroke_.begin(local);
+        });
     }
 }
 

@@ -234,6 +234,14 @@ std::uint64_t Session::mask_revision() const {
 const ColourMap* Session::colours() const {
     return state_->colours.there() ? &state_->colours.map() : nullptr;
 }
+std::array<float, 3> Session::colour_at(const PickHit& hit) const {
+    const SceneObject& object = state_->scene.objects.at(hit.object);
+    if (hit.object > 0 || !state_->colours.there()) return as_floats(encoded_colour(object.material.albedo));
+    const auto uv = corner_uvs(object.mesh, hit.face);
+    const auto b1 = static_cast<double>(hit.b1), b2 = static_cast<double>(hit.b2);
+    return as_floats(state_->colours.at(uv[0] * (1 - b1 - b2) + uv[1] * b1 + uv[2] * b2,
+                                        object.displacement.wrap == Wrap::clamp));
+}
 std::uint64_t Session::colour_revision() const {
     return state_->colour_revision;
 }

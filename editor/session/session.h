@@ -2,6 +2,7 @@
 // commands, and every command that changes something goes into the journal.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -67,6 +68,9 @@ class Session {
     // What strokes paint, of the edited object: its albedo map, or what make_colours() made. Null: there is none.
     const ColourMap* colours() const;
     std::uint64_t colour_revision() const;  // changes whenever colours() does
+    // sRGB-encoded red, green and blue of the surface at a hit, [0, 1]: the nearest texel of the colour map, or, where the
+    // object has none in this session, the material's albedo.
+    std::array<float, 3> colour_at(const PickHit& hit) const;
     const Surface& surface() const;
     bool has_renderer() const;
     Renderer& renderer();  // throws std::logic_error without one
@@ -122,7 +126,7 @@ class Session {
     void save(const std::filesystem::path& path, const std::filesystem::path& colour_path);
     void save(const std::filesystem::path& path) { save(path, colour_path_for(path)); }
     // Where save() writes the colour map when it writes the map to `map`: its own file where the map goes to its own,
-    // else NAME_colour.png (or the ending that it has) beside it. Empty where there is nothing to write: no colour map, or
+    // else a new NAME_colour.png (or the ending that it has) beside it. Empty where there is nothing to write: no colour map, or
     // one that its file holds already.
     std::filesystem::path colour_path_for(const std::filesystem::path& map) const;
     // Writes the map as another file, with the values of `range` where the format holds floats; what save()

@@ -28,6 +28,11 @@ std::array<std::uint16_t, 3> encoded_colour(const glm::vec3& linear) {
     return counts;
 }
 
+std::array<float, 3> as_floats(const std::array<std::uint16_t, 3>& counts) {
+    const auto part = [](std::uint16_t count) { return static_cast<float>(count) / 65535.0f; };
+    return {part(counts[0]), part(counts[1]), part(counts[2])};
+}
+
 SessionColours::SessionColours(const fs::path& start, const fs::path& own, bool on_device)
     : start_file_(start), file_(own) {
     if (start.empty()) return;
@@ -42,6 +47,16 @@ ColourView SessionColours::view() const {
             {m.plane(0).texels().data(), m.plane(1).texels().data(), m.plane(2).texels().data()}};
 }
 
+std::array<std::uint16_t, 3> SessionColours::at(const glm::dvec2& uv, bool clamp) const {
+    const auto texel = [&](double position, int size) {
+        const double part = clamp ? std::min(std::max(position, 0.0), 1.0) : position - std::floor(position);
+        return std::min(static_cast<int>(part * size), size - 1);
+    };
+    const ColourMap& m = map();
+    const int x = texel(uv.x, m.width()), y = texel(uv.y, m.height());
+    return {m.plane(0).at(x, y), m.plane(1).at(x, y), m.plane(2).at(x, y)};
+}
+
 void SessionColours::make(int width, int height, int bits, const glm::vec3& albedo, bool on_device) {
     if (loaded_) throw std::invalid_argument("there is a colour map already");
     require_memory_for("new colour map", {width, height, bits, 3}, on_device);
@@ -50,7 +65,12 @@ void SessionColours::make(int width, int height, int bits, const glm::vec3& albe
 
 fs::path SessionColours::path_beside(const fs::path& height_map) const {
     const std::string ending = file_.empty() ? ".png" : file_.extension().string();
-    return height_map.parent_path() / (height_map.stem().string() + "_colour" + ending);
+    const std::string stem = height_map.stem().string() + "_colour";
+    fs::path path = height_map.parent_path() / (stem + ending);
+    std::error_code ignored;
+    for (int number = 2; fs::exists(path, ignored); ++number)
+        path.replace_filename(stem + "_" + std::to_string(number) + ending);
+    return path;
 }
 
 }  // namespace relievo
