@@ -31,11 +31,11 @@ constexpr std::array kParameters{
                    tool_set({Tool::noise})},
     BrushParameter{"radial", "turns", "Copies of the stroke around an axis of the object; 1 is none", 1.0f,
                    64.0f, 1.0f, &Brush::radial},
-    BrushParameter{"red", "sRGB", "Of the colour that is painted", 0.0f, 1.0f, 0.8f, &Brush::red, kPaintingTools},
+    BrushParameter{"red", "sRGB", "Of the colour that is painted", 0.0f, 1.0f, 0.8f, &Brush::red, kColouringTools},
     BrushParameter{"green", "sRGB", "Of the colour that is painted", 0.0f, 1.0f, 0.3f, &Brush::green,
-                   kPaintingTools},
+                   kColouringTools},
     BrushParameter{"blue", "sRGB", "Of the colour that is painted", 0.0f, 1.0f, 0.2f, &Brush::blue,
-                   kPaintingTools},
+                   kColouringTools},
 };
 
 constexpr std::array kFlags{

@@ -27,7 +27,7 @@ enum class Tool : std::uint8_t {
 };
 enum class Axis : std::uint8_t { x, y, z };
 enum class Falloff : std::uint8_t { smooth, linear, sharp, constant };
-// What a tool that raises or lowers changes; other tools change heights alone.
+// What a tool that raises or lowers, or smooth, changes; other tools change heights alone.
 enum class Paint : std::uint8_t { height, colour, both };
 
 struct Brush {
@@ -85,9 +85,10 @@ constexpr ToolSet tool_set(std::initializer_list<Tool> tools) {
     for (const Tool tool : tools) set |= 1u << static_cast<unsigned>(tool);
     return set;
 }
-// The tools that raise or lower, which may paint as well.
-inline constexpr ToolSet kPaintingTools =
+// The tools that raise or lower, which may paint as well; and smooth, which may even out colours.
+inline constexpr ToolSet kColouringTools =
     tool_set({Tool::draw, Tool::level, Tool::inflate, Tool::clay, Tool::crease, Tool::noise});
+inline constexpr ToolSet kPaintingTools = kColouringTools | tool_set({Tool::smooth});
 constexpr ToolSet kEveryTool = ~ToolSet{0};
 constexpr bool holds(ToolSet set, Tool tool) {
     return (set & tool_set({tool})) != 0;

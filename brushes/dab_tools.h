@@ -72,4 +72,7 @@ bool adds_up(const Brush& brush);
 std::vector<TexelChange> dab_changes(const Brush& brush, const DabPlace& place, const Surface& surface,
                                      const Seams& seams, const StrokeTiles& stroke, const HeightMap* mask);
 
+// Writes the changes of a dab's copies, in any order to the same effect. `add_up`: as adds_up() says.
+void apply_together(std::vector<TexelChange> changes, bool add_up, StrokeTiles& stroke);
+
 }  // namespace relievo

@@ -5,15 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "brushes/dab_tools.h"
+#include "brushes/dab_work.h"
 
 namespace relievo {
-namespace {
-
-constexpr float kTop = 65535.0f;  // counts
-
-}  // namespace
-
 PaintStroke::PaintStroke(const Brush& brush, ColourMap& map, const Seams& seams)
     : brush_(brush),
       seams_(seams),
@@ -29,7 +23,7 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
     std::vector<Weight> all;
     std::vector<SurfaceTexel> texels;
     for (const Place& place : places) {
-        place.surface.texels_in_ball(place.centre, place.radius, texels);
+        place.surface.texels_in_ball(place.centre.position, place.radius, texels);
         for (const SurfaceTexel& t : texels) {
             const float falloff =
                 falloff_weight(brush_.falloff, brush_.hardness, std::min(t.distance / place.radius, 1.0f));
@@ -47,7 +41,23 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
     return all;
 }
 
+void PaintStroke::smooth_planes(std::span<const Place> places, float pressure, const HeightMap* mask) {
+    std::shared_ptr<Hold> nothing_held;
+    for (auto& plane : planes_) {
+        std::vector<TexelChange> changes;
+        for (const Place& place : places) {
+            const DabPlace at{place.centre, pressure, place.radius, glm::vec3(0), glm::vec3(0), 1.0f, nothing_held};
+            std::vector<TexelChange> own;
+            smooth({brush_, at, place.surface, seams_, *plane, mask, 1.0, own});
+            changes.insert(changes.end(), own.begin(), own.end());
+        }
+        apply_together(std::move(changes), false, *plane);
+        seams_.follow(*plane);
+    }
+}
+
 void PaintStroke::dab(std::span<const Place> places, float pressure, const HeightMap* mask) {
+    if (brush_.tool == Tool::smooth) return smooth_planes(places, pressure, mask);
     const std::vector<Weight> weights = this->weights(places, pressure, mask);
     for (std::size_t k = 0; k < planes_.size(); ++k) {
         StrokeTiles& plane = *planes_[k];

@@ -5,7 +5,7 @@
 // w * spacing / kUnitSpacing (at most 1) of the way from the colour it has by now to the brush's, w = strength * pressure *
 // falloff, less by what the mask protects. Where it does not, and for level, a stroke takes it the largest w of the way
 // from the colour that the stroke found. Copies by symmetry count once where they overlap: the largest w. Colours are kept
-// in float through a stroke and quantised once.
+// in float through a stroke and quantised once. Smooth does to each channel what it does to heights.
 #pragma once
 
 #include <memory>
@@ -27,7 +27,7 @@ class PaintStroke {
 
     struct Place {
         const Surface& surface;  // as the hand, or the copy, sees it
-        glm::vec3 centre;        // in that frame
+        SurfacePoint centre;     // in that frame
         float radius;            // of the dab, world units
     };
     // One dab with its copies. `pressure` in [0, 1]; `mask`: 65535 protects a texel, null: none.
@@ -48,6 +48,8 @@ class PaintStroke {
         float of_way;  // [0, 1]
     };
     std::vector<Weight> weights(std::span<const Place> places, float pressure, const HeightMap* mask) const;
+
+    void smooth_planes(std::span<const Place> places, float pressure, const HeightMap* mask);
 
     const Brush& brush_;
     const Seams& seams_;

@@ -157,26 +157,6 @@ std::vector<float> shares(const std::vector<glm::dvec3>& centres, double radius)
     return parts;
 }
 
-// Writes the changes of a dab's copies, in any order to the same effect.
-void apply_together(std::vector<TexelChange> changes, bool add_up, StrokeTiles& stroke) {
-    std::stable_sort(changes.begin(), changes.end(), [](const TexelChange& a, const TexelChange& b) {
-        return a.y != b.y ? a.y < b.y : a.x < b.x;
-    });
-    for (std::size_t i = 0; i < changes.size();) {
-        const TexelChange first = changes[i];
-        double sum = 0;
-        float largest = 0;
-        std::size_t count = 0;
-        for (; i < changes.size() && changes[i].x == first.x && changes[i].y == first.y; ++i, ++count) {
-            const float step = changes[i].to - changes[i].from;
-            sum += double{step};
-            if (std::abs(step) > std::abs(largest) || (step == -largest && step > 0)) largest = step;
-        }
-        const float together = first.from + (add_up ? static_cast<float>(sum) : largest);
-        stroke.set_change(first.x, first.y, count == 1 ? first.to : together);
-    }
-}
-
 }  // namespace
 
 void Sculptor::State::apply_step(const Dab& dab, std::span<const FacePoint> copies, glm::vec3 drag) {
@@ -197,7 +177,7 @@ void Sculptor::State::apply_step(const Dab& dab, std::span<const FacePoint> copi
     if (paint) {
         std::vector<PaintStroke::Place> hands;
         for (std::size_t i = 0; i < branches.size(); ++i)
-            hands.push_back({branches[i].turned ? *branches[i].turned : surface, centres[i].position, radius});
+            hands.push_back({branches[i].turned ? *branches[i].turned : surface, centres[i], radius});
         paint->dab(hands, pressure, protection());
         note_painted(paint->take_dirty());
     }

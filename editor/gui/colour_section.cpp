@@ -2,7 +2,6 @@
 // they go to.
 #include <imgui.h>
 
-#include <array>
 #include <string>
 
 #include "editor/gui/panels.h"
@@ -15,14 +14,13 @@ namespace {
 void paint_row(Brush& brush) {
     row_label("Paint");
     const auto names = paint_names();
-    constexpr std::array kTooltips{"The tool changes the heights alone.", "The tool paints and leaves the heights.",
-                                   "The tool paints what it raises or lowers."};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) ImGui::SameLine(0, points(4));
-        const bool chosen = static_cast<std::size_t>(brush.paint) == i;
-        if (ImGui::RadioButton(std::string(names[i]).c_str(), chosen)) brush.paint = static_cast<Paint>(i);
-        tooltip(std::string(kTooltips[i]) + "\nP goes through the three.");
+    const auto now = static_cast<std::size_t>(brush.paint);
+    if (ImGui::BeginCombo("##paint", std::string(names[now]).c_str())) {
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (ImGui::Selectable(std::string(names[i]).c_str(), i == now)) brush.paint = static_cast<Paint>(i);
+        ImGui::EndCombo();
     }
+    tooltip("What the tool changes: heights, colours, or both. P goes through the three.", "Paint");
 }
 
 void colour_row(Brush& brush) {
@@ -69,8 +67,10 @@ void draw_colour_rows(Desk& desk) {
     if (!holds(kPaintingTools, brush.tool)) return;
     paint_row(brush);
     if (!paints(brush)) return;
-    colour_row(brush);
-    recent_row(desk);
+    if (holds(kColouringTools, brush.tool)) {
+        colour_row(brush);
+        recent_row(desk);
+    }
     map_row(desk);
 }
 

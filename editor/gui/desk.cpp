@@ -234,6 +234,7 @@ void Desk::prepare_to_paint(const Brush& brush) {
         session.make_colours(view.colour_bits);
         live.restart();
     }
+    if (!holds(kColouringTools, brush.tool)) return;
     constexpr std::size_t kMostRecent = 8;
     auto& recent = view.recent_colours;
     std::erase(recent, colour_of(brush));

@@ -121,6 +121,7 @@ TEST(Paint, switch_says_what_each_tool_changes) {
         for (const Paint paint : {Paint::height, Paint::colour, Paint::both}) {
             Plane plane;
             fill(plane.map, [](int x, int y) { return 30000 + 311 * ((x * 7 + y * 13) % 17); });
+            fill(plane.colours.plane(1), [](int x, int y) { return 20000 + 411 * ((x * 11 + y * 5) % 19); });
             const std::uint64_t heights = plane.map.hash(), colours = plane.colours.hash();
             plane.sculptor.begin(brush_of(paint, 0.7f, info.tool));
             for (int i = 0; i < 6; ++i) {
@@ -134,6 +135,23 @@ TEST(Paint, switch_says_what_each_tool_changes) {
             EXPECT_EQ(plane.map.hash() != heights, !can || paint != Paint::colour) << info.name;
         }
     }
+}
+
+TEST(Paint, smooth_evens_colours_out_as_it_does_heights) {
+    Plane colours, heights;
+    const auto spike = [](int x, int y) { return x / 4 % 2 == y / 4 % 2 ? 20000 : 30000; };
+    fill(colours.colours.plane(2), spike);
+    fill(heights.map, spike);
+    // A surface so flat that heights do not change distances.
+    ChartSurface flat(heights.map, {unit_chart(heights.map)}, 1e-6f);
+    Sculptor on_flat(heights.map, flat);
+    stroke(on_flat, flat, brush_of(Paint::height, 0.8f, Tool::smooth), {0.4, 0.5}, {0.6, 0.5});
+    stroke(colours.sculptor, colours.surface, brush_of(Paint::colour, 0.8f, Tool::smooth), {0.4, 0.5}, {0.6, 0.5});
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x)
+            ASSERT_NEAR(colours.colours.plane(2).at(x, y), heights.map.at(x, y), 1) << x << ", " << y;
+    EXPECT_NEAR(colours.colours.plane(2).at(64, 64), 25000, 1500);
+    EXPECT_EQ(colours.colours.plane(0).at(64, 64), kGround[0]);
 }
 
 TEST(Paint, both_does_what_height_and_colour_do_each) {

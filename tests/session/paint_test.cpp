@@ -135,7 +135,10 @@ TEST_F(PaintSession, AStrokeIsOneStepOfBothMapsAndUnsavedUntilItIsTakenBack) {
 
 TEST_F(PaintSession, SavesTheColoursBesideTheHeightsWithTheirBitsAndOnlyWhenTheyChanged) {
     for (const int bits : {8, 16}) {
-        Session session(painted_scene(folder_.path(), bits), headless());
+        const fs::path folder = folder_.path() / std::to_string(bits);
+        fs::create_directory(folder);
+        const auto at = [&](const char* name) { return folder / name; };
+        Session session(painted_scene(folder, bits), headless());
         sculpt(session, 1);
         const auto before = fs::last_write_time(at("bark.png"));
         EXPECT_TRUE(session.colour_path_for(at("map.tif")).empty());
@@ -149,6 +152,11 @@ TEST_F(PaintSession, SavesTheColoursBesideTheHeightsWithTheirBitsAndOnlyWhenThey
         EXPECT_EQ(saved.map.bits(), bits);
         session.save(at("other.tif"));
         EXPECT_EQ(load_colours(at("other_colour.png")).map.hash(), session.colours()->hash());
+        test::write_text(at("third_colour.png"), "somebody's");
+        session.save(at("third.tif"));
+        EXPECT_EQ(test::read_text(at("third_colour.png")), "somebody's");
+        EXPECT_TRUE(fs::exists(at("third_colour_2.png")));
+        session.save(at("other.tif"), at("other_colour.png"));
         paint(session, 3, Paint::colour);
         session.save(at("other.tif"), {});
         EXPECT_TRUE(session.unsaved()) << "heights alone were saved";
