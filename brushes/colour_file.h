@@ -1,4 +1,5 @@
-// Colour maps on disk: PNG and TIFF of 8 or 16 bits a channel; lossless, atomic, metadata and further channels kept.
+// Colour maps on disk: PNG and TIFF of 8 or 16 bits a channel; lossless, atomic, metadata and further
+// channels kept.
 #pragma once
 
 #include <filesystem>
@@ -25,17 +26,18 @@ struct ColourInfo {
 // Throws as load_colours, but for what only the texels tell.
 ColourInfo colour_info(const std::filesystem::path& path);
 
-// The first three channels, taken as sRGB-encoded. Throws std::invalid_argument that names the file and says what was
-// wrong: missing, cut off, another format or type of value, fewer than three channels, no texels, more than 16384 a side,
-// several images.
+// The first three channels, taken as sRGB-encoded. Throws std::invalid_argument that names the file and says
+// what was wrong: missing, cut off, another format or type of value, fewer than three channels, no texels,
+// more than 16384 a side, several images.
 LoadedColours load_colours(const std::filesystem::path& path);
 
 // Throws std::invalid_argument unless the path's extension is .png, .tif or .tiff.
 void check_colour_path(const std::filesystem::path& path);
 
 // Saves atomically (atomic_file.h) in the format that the extension names and with the map's bits. Throws
-// std::invalid_argument that names the path on any failure; the old file stays whole. With an origin of the same size,
-// its further channels (alpha) are kept; of another format, only its general metadata is.
-void save_colours(const ColourMap& map, const std::filesystem::path& path, const ColourOrigin* origin = nullptr);
+// std::invalid_argument that names the path on any failure; the old file stays whole. With an origin of the
+// same size, its further channels (alpha) are kept; of another format, only its general metadata is.
+void save_colours(const ColourMap& map, const std::filesystem::path& path,
+                  const ColourOrigin* origin = nullptr);
 
 }  // namespace relievo

@@ -23,7 +23,8 @@ std::uint16_t nearest(std::uint16_t count, int bits) {
 
 ColourMap::ColourMap(int width, int height, int bits, const std::array<std::uint16_t, 3>& fill)
     : bits_(checked(bits)),
-      planes_{HeightMap(width, height, nearest(fill[0], bits)), HeightMap(width, height, nearest(fill[1], bits)),
+      planes_{HeightMap(width, height, nearest(fill[0], bits)),
+              HeightMap(width, height, nearest(fill[1], bits)),
               HeightMap(width, height, nearest(fill[2], bits))} {}
 
 std::uint64_t ColourMap::hash() const {

@@ -1,5 +1,5 @@
-// The colour map that brushes paint: plain texels, no file, no GPU. Three planes of red, green and blue, each a map of
-// its own, so that strokes, seams and undo treat a plane as they treat the heights.
+// The colour map that brushes paint: plain texels, no file, no GPU. Three planes of red, green and blue, each
+// a map of its own, so that strokes, seams and undo treat a plane as they treat the heights.
 #pragma once
 
 #include <array>
@@ -11,8 +11,9 @@ namespace relievo {
 
 class ColourMap {
   public:
-    // A map of one colour. `bits` of a channel: 8 or 16; with 8, every texel is a multiple of 257, the nearest to `fill`
-    // here. Throws std::invalid_argument on other bits, or when a side is outside [1, HeightMap::kMaxSize].
+    // A map of one colour. `bits` of a channel: 8 or 16; with 8, every texel is a multiple of 257, the
+    // nearest to `fill` here. Throws std::invalid_argument on other bits, or when a side is outside [1,
+    // HeightMap::kMaxSize].
     ColourMap(int width, int height, int bits, const std::array<std::uint16_t, 3>& fill = {});
 
     int width() const { return planes_[0].width(); }

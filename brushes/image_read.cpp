@@ -23,7 +23,7 @@ void check_spec(const ImageName& name, OIIO::ImageInput& image) {
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) name.fail("the image has no texels");
     if (spec.width > HeightMap::kMaxSize || spec.height > HeightMap::kMaxSize)
         name.fail(std::to_string(spec.width) + " x " + std::to_string(spec.height) + " texels; at most " +
-                       limit + " a side are possible");
+                  limit + " a side are possible");
     if (spec.deep || spec.depth > 1) name.fail("deep or volume images cannot be maps");
 }
 

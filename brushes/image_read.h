@@ -1,4 +1,5 @@
-// Opening and reading image files through OpenImageIO, with the checks that it leaves out. Private to loading.
+// Opening and reading image files through OpenImageIO, with the checks that it leaves out. Private to
+// loading.
 #pragma once
 
 #include <OpenImageIO/imageio.h>

@@ -53,10 +53,12 @@ void stop_the_clock(OIIO::ImageSpec& spec) {
     if (!spec.find_attribute("DateTime")) spec.attribute("DateTime", "    :  :     :  :  ");
 }
 
-std::vector<unsigned char> encoded_image(const std::filesystem::path& path, const char* kind, const char* writer,
-                                         const OIIO::ImageSpec& spec, const std::vector<std::byte>& pixels) {
+std::vector<unsigned char> encoded_image(const std::filesystem::path& path, const char* kind,
+                                         const char* writer, const OIIO::ImageSpec& spec,
+                                         const std::vector<std::byte>& pixels) {
     const auto fail = [&](const std::string& what) {
-        throw std::invalid_argument("cannot write " + std::string(kind) + " '" + path.string() + "': " + what);
+        throw std::invalid_argument("cannot write " + std::string(kind) + " '" + path.string() +
+                                    "': " + what);
     };
     std::vector<unsigned char> file;
     OIIO::Filesystem::IOVecOutput memory(file);

@@ -11,7 +11,8 @@ namespace relievo {
 PaintStroke::PaintStroke(const Brush& brush, ColourMap& map, const Seams& seams)
     : brush_(brush),
       seams_(seams),
-      piles_up_(brush.accumulate && brush.tool != Tool::level),
+      piles_up_(holds(tool_set({Tool::clay, Tool::crease}), brush.tool) ||
+                (brush.accumulate && brush.tool != Tool::level)),
       colour_{brush.red * kTop, brush.green * kTop, brush.blue * kTop} {
     for (std::size_t k = 0; k < planes_.size(); ++k)
         planes_[k] = std::make_unique<StrokeTiles>(map.plane(k), map.step());
@@ -46,7 +47,8 @@ void PaintStroke::smooth_planes(std::span<const Place> places, float pressure, c
     for (auto& plane : planes_) {
         std::vector<TexelChange> changes;
         for (const Place& place : places) {
-            const DabPlace at{place.centre, pressure, place.radius, glm::vec3(0), glm::vec3(0), 1.0f, nothing_held};
+            const DabPlace at{place.centre, pressure, place.radius, glm::vec3(0),
+                              glm::vec3(0), 1.0f,     nothing_held};
             std::vector<TexelChange> own;
             smooth({brush_, at, place.surface, seams_, *plane, mask, 1.0, own});
             changes.insert(changes.end(), own.begin(), own.end());

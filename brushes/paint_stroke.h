@@ -1,11 +1,12 @@
 // The colour side of a stroke: what its dabs blend into the colour map.
 //
-// Paper 002 (section 6, editing) blends a brush into displacement and colour maps alike. Ours blends in sRGB-encoded
-// values, as painting programs do: equal steps look equal. Where the brush accumulates, a dab takes a texel the fraction
-// w * spacing / kUnitSpacing (at most 1) of the way from the colour it has by now to the brush's, w = strength * pressure *
-// falloff, less by what the mask protects. Where it does not, and for level, a stroke takes it the largest w of the way
-// from the colour that the stroke found. Copies by symmetry count once where they overlap: the largest w. Colours are kept
-// in float through a stroke and quantised once. Smooth does to each channel what it does to heights.
+// Paper 002 (section 6, editing) blends a brush into displacement and colour maps alike. Ours blends in
+// sRGB-encoded values, as painting programs do: equal steps look equal. Where the brush accumulates, a dab
+// takes a texel the fraction w * spacing / kUnitSpacing (at most 1) of the way from the colour it has by now
+// to the brush's, w = strength * pressure * falloff, less by what the mask protects. Where it does not (of
+// the tools that ask: draw, inflate, noise), and for level, a stroke takes it the largest w of the way from
+// the colour that the stroke found. Copies by symmetry count once where they overlap: the largest w. Colours
+// are kept in float through a stroke and quantised once. Smooth does to each channel what it does to heights.
 #pragma once
 
 #include <memory>

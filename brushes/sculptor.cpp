@@ -56,7 +56,9 @@ struct Sculptor::State {
     // What protects texels from the stroke's tool.
     const HeightMap* protection() const { return layer() == Layer::height && mask ? &*mask : nullptr; }
     std::vector<TexelRect> shown(std::vector<TexelRect> rects, Layer which);
-    void note_painted(std::vector<TexelRect> rects) { painted.insert(painted.end(), rects.begin(), rects.end()); }
+    void note_painted(std::vector<TexelRect> rects) {
+        painted.insert(painted.end(), rects.begin(), rects.end());
+    }
 
     void start(const Brush& the_brush);
     void check(const Dab& dab) const;

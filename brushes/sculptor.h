@@ -1,4 +1,5 @@
-// Applies strokes to a height map on a surface, and to a colour map of its size: float accumulation, one quantisation, seams, undo tiles.
+// Applies strokes to a height map on a surface, and to a colour map of its size: float accumulation, one
+// quantisation, seams, undo tiles.
 #pragma once
 
 #include <memory>
@@ -31,8 +32,8 @@ class Sculptor {
     // of slanted seams are solved by end(), until when their outer texels merely extend the island. Memory of
     // a stroke: 25 KB for each 64 x 64 tile that it touches, and 75 KB where it paints.
     //
-    // A stroke that paints (brush.h) changes the colour map as well or alone; take_painted() tells where. begin()
-    // throws std::invalid_argument where there is no colour map.
+    // A stroke that paints (brush.h) changes the colour map as well or alone; take_painted() tells where.
+    // begin() throws std::invalid_argument where there is no colour map.
     //
     // A stroke of the mask tool changes the mask alone: its calls return no rectangles.
     //
@@ -45,8 +46,8 @@ class Sculptor {
     std::vector<TexelRect> cancel();
     bool in_stroke() const;
 
-    // The colour map that strokes paint, which outlives the sculptor. Throws std::invalid_argument where its size is not
-    // the height map's, std::logic_error in a stroke or where there is one already.
+    // The colour map that strokes paint, which outlives the sculptor. Throws std::invalid_argument where its
+    // size is not the height map's, std::logic_error in a stroke or where there is one already.
     void set_colours(ColourMap& colours);
     // Texels of the colour map that changed since the last call, as few rectangles that do not overlap.
     std::vector<TexelRect> take_painted();

@@ -44,8 +44,8 @@ void StrokeTiles::set_change(int x, int y, float change) {
         tile.clipped.set(at);
     }
     tile.change[at] = held;
-    const float count = step_ == 1.0f ? std::floor(before + held + 0.5f)
-                                      : step_ * std::floor((before + held) / step_ + 0.5f);
+    const float count =
+        step_ == 1.0f ? std::floor(before + held + 0.5f) : step_ * std::floor((before + held) / step_ + 0.5f);
     write(tile, grid_.tile_of(x, y), x, y, static_cast<std::uint16_t>(count));
 }
 

@@ -58,7 +58,10 @@ class StrokeTiles {
 
     // `step`: the map's texels are rounded to multiples of it.
     explicit StrokeTiles(HeightMap& map, int step = 1)
-        : map_(map), step_(static_cast<float>(step)), grid_(map.width(), map.height()), tiles_(grid_.count()) {}
+        : map_(map),
+          step_(static_cast<float>(step)),
+          grid_(map.width(), map.height()),
+          tiles_(grid_.count()) {}
 
     // Counts, unrounded, in [0, 65535].
     float value(int x, int y) const {

@@ -1,7 +1,7 @@
 // Undo and redo under a byte budget. A step holds, for each 64 x 64 tile that a stroke changed, the changed
 // rectangle's texels on the other side of the step; applying it swaps them with the map's, which turns undo
-// into redo and back. Height map, mask and the planes of the colour map share one stack: steps are taken back in
-// the order they were made, and a step that changed several of them is one.
+// into redo and back. Height map, mask and the planes of the colour map share one stack: steps are taken back
+// in the order they were made, and a step that changed several of them is one.
 #pragma once
 
 #include <cstdint>
@@ -63,7 +63,8 @@ class UndoStack {
         std::size_t bytes = 0;
     };
     template <typename Before>
-    static void add_patch(Step& step, Layer layer, const TexelRect& within, const HeightMap& map, Before before);
+    static void add_patch(Step& step, Layer layer, const TexelRect& within, const HeightMap& map,
+                          Before before);
     void push_step(Step step);
     static std::vector<LayerRect> move_step(std::deque<Step>& from, std::deque<Step>& to,
                                             const LayerMaps& map_of);

@@ -18,10 +18,12 @@ void check_spec(const std::filesystem::path& path, const OIIO::ImageSpec& spec) 
     if (spec.width < 1 || spec.height < 1 || spec.width > kMaxSize || spec.height > kMaxSize)
         fail(path, "it must have 1 to 16384 texels a side");
     if (spec.nchannels < 3)
-        fail(path, "it has " + std::to_string(spec.nchannels) + (spec.nchannels == 1 ? " channel" : " channels") +
+        fail(path, "it has " + std::to_string(spec.nchannels) +
+                       (spec.nchannels == 1 ? " channel" : " channels") +
                        ", must have three (RGB) or four (RGBA)");
     if (spec.format != OIIO::TypeDesc::UINT8 && spec.format != OIIO::TypeDesc::UINT16)
-        fail(path, "it holds " + std::string(spec.format.c_str()) + " values, must be a PNG or TIFF of 8 or 16 bits");
+        fail(path, "it holds " + std::string(spec.format.c_str()) +
+                       " values, must be a PNG or TIFF of 8 or 16 bits");
 }
 
 }  // namespace
@@ -37,7 +39,8 @@ AlbedoFile load_albedo_file(const std::filesystem::path& path) {
     const auto width = static_cast<std::size_t>(spec.width), height = static_cast<std::size_t>(spec.height);
     for (auto& plane : file.planes) plane.resize(width * height);
     std::vector<std::uint16_t> texels(3 * width * height);
-    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT16, texels.data())) fail(path, "cut off: " + input->geterror());
+    if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT16, texels.data()))
+        fail(path, "cut off: " + input->geterror());
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x)
             for (std::size_t k = 0; k < 3; ++k)

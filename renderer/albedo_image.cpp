@@ -27,7 +27,9 @@ const std::vector<std::uint16_t>& decoded_halves() {
     return halves;
 }
 
-std::uint8_t eight_bits(std::uint16_t count) { return static_cast<std::uint8_t>((count + 128) / 257); }
+std::uint8_t eight_bits(std::uint16_t count) {
+    return static_cast<std::uint8_t>((count + 128) / 257);
+}
 
 // Four channels a texel; the fourth is not read.
 template <typename Texel, typename Encode>
@@ -44,7 +46,8 @@ void pack(Texel* to, const ColourView& colours, const TexelRegion& r, Encode enc
 
 }  // namespace
 
-AlbedoImage::AlbedoImage(vulkan::Context& context, vulkan::Commands& commands, const ColourView& colours, bool clamp)
+AlbedoImage::AlbedoImage(vulkan::Context& context, vulkan::Commands& commands, const ColourView& colours,
+                         bool clamp)
     : is_map_(!colours.empty()), bits_(colours.bits > 8 ? 16 : 8) {
     const ColourView texels =
         is_map_ ? colours : ColourView{1, 1, 8, {kUnread.data(), kUnread.data(), kUnread.data()}};
@@ -66,7 +69,8 @@ AlbedoImage::AlbedoImage(vulkan::Context& context, vulkan::Commands& commands, c
 
 void AlbedoImage::upload(vulkan::Context& context, vulkan::Commands& commands, vulkan::Buffer& staging,
                          const ColourView& colours, std::span<const TexelRegion> regions) {
-    if (!is_map_ || colours.width != image_.width() || colours.height != image_.height() || (colours.bits > 8) != (bits_ > 8))
+    if (!is_map_ || colours.width != image_.width() || colours.height != image_.height() ||
+        (colours.bits > 8) != (bits_ > 8))
         throw std::logic_error("an albedo map of this size and these bits comes first");
     if (!regions.empty()) copy(context, commands, staging, colours, regions);
 }
@@ -81,7 +85,8 @@ void AlbedoImage::copy(vulkan::Context& context, vulkan::Commands& commands, vul
         copy.bufferOffset = bytes;
         copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
         copy.imageOffset = {r.x0, r.y0, 0};
-        copy.imageExtent = {static_cast<std::uint32_t>(r.x1 - r.x0), static_cast<std::uint32_t>(r.y1 - r.y0), 1};
+        copy.imageExtent = {static_cast<std::uint32_t>(r.x1 - r.x0), static_cast<std::uint32_t>(r.y1 - r.y0),
+                            1};
         bytes += texel_bytes * copy.imageExtent.width * copy.imageExtent.height;
     }
     if (staging.bytes() < bytes)
@@ -95,10 +100,12 @@ void AlbedoImage::copy(vulkan::Context& context, vulkan::Commands& commands, vul
                  [&halves = decoded_halves()](std::uint16_t count) { return halves[count]; });
     }
     commands.run([&](VkCommandBuffer cmd) {
-        image_.transition(cmd, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        image_.transition(cmd, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                          VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
         vkCmdCopyBufferToImage(cmd, staging.get(), image_.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                static_cast<std::uint32_t>(copies.size()), copies.data());
-        image_.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        image_.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                          VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
 }
 

@@ -1,6 +1,6 @@
-// An object's albedo map on the device. Both sorts hold what the mandatory formats can filter: 8 bits as sRGB texels that
-// the device decodes before it filters; 16 bits as linear half floats (at most 1/2048 off, which no picture shows; a
-// 16-bit integer format need not be filterable, and knows no sRGB).
+// An object's albedo map on the device. Both sorts hold what the mandatory formats can filter: 8 bits as sRGB
+// texels that the device decodes before it filters; 16 bits as linear half floats (at most 1/2048 off, which
+// no picture shows; a 16-bit integer format need not be filterable, and knows no sRGB).
 #pragma once
 
 #include <span>
@@ -23,14 +23,14 @@ class AlbedoImage {
     }
     std::uint64_t bytes() const { return image_.bytes(); }
 
-    // `staging` is made larger where it is too small. std::logic_error where there is no map, or one of another size or
-    // other bits.
+    // `staging` is made larger where it is too small. std::logic_error where there is no map, or one of
+    // another size or other bits.
     void upload(vulkan::Context& context, vulkan::Commands& commands, vulkan::Buffer& staging,
                 const ColourView& colours, std::span<const TexelRegion> regions);
 
   private:
-    void copy(vulkan::Context& context, vulkan::Commands& commands, vulkan::Buffer& staging, const ColourView& colours,
-              std::span<const TexelRegion> regions);
+    void copy(vulkan::Context& context, vulkan::Commands& commands, vulkan::Buffer& staging,
+              const ColourView& colours, std::span<const TexelRegion> regions);
 
     bool is_map_ = false;
     int bits_ = 8;

@@ -51,7 +51,7 @@ struct FeatureRequest {
     bool path_asked_for = false;            // not the device's own choice
     double density = 0;                     // the method's parameter of that name, 0 where it has none
     bool has_searched = false;              // a triangle is flagged kPrimitiveSearched
-    bool has_colours = false;               // an albedo map was given that the scene names no file of
+    bool has_colours = false;               // an albedo map was given, whether the scene names a file or not
 };
 
 Features derive_features(const Scene& scene, const FeatureRequest& request);

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "renderer/albedo_file.h"
 #include "renderer/opacity.h"
 #include "renderer/stopwatch.h"
 #include "renderer/vulkan/functions.h"
@@ -93,7 +92,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         objects_.emplace_back();
         objects_.back().mesh = meshes[i];
         add_object(scene.objects[i], maps[i], features, primitives);
-        load_albedo(scene.objects[i], objects_.back(), colours[i], features.albedo_maps);
+        objects_.back().albedo = AlbedoImage(context, commands, colours[i], objects_.back().wrap == Wrap::clamp);
     }
     if (primitives.empty()) throw std::invalid_argument(scene.path.string() + ": no triangle of the scene has an area");
     std::vector<Box> boxes;
@@ -249,16 +248,6 @@ void GpuScene::load_opacity(const SceneObject& description, Object& object, bool
         object.opacity.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                   VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
-}
-
-void GpuScene::load_albedo(const SceneObject& description, Object& object, const ColourView& colours, bool wanted) {
-    const bool clamp = object.wrap == Wrap::clamp, from_file = colours.empty() && !description.material.albedo_map.empty();
-    if (wanted && from_file) {
-        const AlbedoFile file = load_albedo_file(description.material.albedo_map);
-        object.albedo = AlbedoImage(context_, commands_, file.view(), clamp);
-    } else {
-        object.albedo = AlbedoImage(context_, commands_, wanted ? colours : ColourView{}, clamp);
-    }
 }
 
 void GpuScene::upload_colours(std::size_t index, const ColourView& colours, std::span<const TexelRegion> regions) {

@@ -83,7 +83,6 @@ class GpuScene {
     void load_map(Object& object, const HeightView& map, bool pyramid);
     void load_source(Object& object);
     void load_pyramid(Object& object, const HeightView& map, bool wanted);
-    void load_albedo(const SceneObject& description, Object& object, const ColourView& colours, bool wanted);
     void load_opacity(const SceneObject& description, Object& object, bool wanted);
     void upload_texels(Object& object, const HeightView& map, std::span<const TexelRegion> regions);
     void upload_pyramid(Object& object, const std::vector<HeightPyramid::Nodes>& changed);

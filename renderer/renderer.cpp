@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "renderer/albedo_file.h"
 #include "renderer/bindings.h"
 #include "renderer/features.h"
 #include "renderer/film.h"
@@ -76,7 +77,8 @@ struct Renderer::State {
     VkDescriptorSet set = VK_NULL_HANDLE;
     vulkan::Passes passes;
     FeatureReport report;
-    std::vector<ColourView> colours;  // one an object; empty: the scene's own file, or none
+    std::vector<AlbedoFile> albedo_files;  // of the objects that were given no colours; another method uploads them again
+    std::vector<ColourView> colours;       // one an object; empty: none
     std::vector<HeightView> maps;  // as last uploaded: another method may need other structures over them
     int samples = 0;
     bool aov_is_fresh = false, counts_are_fresh = false;
@@ -93,6 +95,7 @@ struct Renderer::State {
     }
     void build();
     void build_scene();
+    void load_albedo_files();
     void rebuild_for(const Method& method);
     void write_addresses();
     void make_set();
@@ -105,6 +108,16 @@ struct Renderer::State {
     void count_bytes();
     void restart();
 };
+
+void Renderer::State::load_albedo_files() {
+    albedo_files.reserve(colours.size());  // views point into them
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const std::filesystem::path& file = scene.objects[i].material.albedo_map;
+        if (!colours[i].empty() || file.empty()) continue;
+        albedo_files.push_back(load_albedo_file(file));
+        colours[i] = albedo_files.back().view();
+    }
+}
 
 void Renderer::State::build_scene() {
     request.has_searched = false;
@@ -273,10 +286,11 @@ Renderer::Renderer(vulkan::Context& context, const Scene& scene, std::span<const
     check_size(context, settings.width, settings.height, "an image");
     Film::check_size(context, settings.width, settings.height);
     for (const HeightView& map : maps) check_size(context, map.width, map.height, "a map");
-    for (const ColourView& c : colours)
-        if (!c.empty()) check_size(context, c.width, c.height, "an albedo map");
     state_->colours.assign(colours.begin(), colours.end());
     state_->colours.resize(maps.size());
+    state_->load_albedo_files();
+    for (const ColourView& c : state_->colours)
+        if (!c.empty()) check_size(context, c.width, c.height, "an albedo map");
     state_->maps.assign(maps.begin(), maps.end());
     state_->build();
 }

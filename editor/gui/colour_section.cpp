@@ -1,5 +1,5 @@
-// Rows of the brush section about painting: what the tool changes, the colour, the colours used before, and the map that
-// they go to.
+// Rows of the brush section about painting: what the tool changes, the colour, the colours used before, and
+// the map that they go to.
 #include <imgui.h>
 
 #include <string>
@@ -17,7 +17,8 @@ void paint_row(Brush& brush) {
     const auto now = static_cast<std::size_t>(brush.paint);
     if (ImGui::BeginCombo("##paint", std::string(names[now]).c_str())) {
         for (std::size_t i = 0; i < names.size(); ++i)
-            if (ImGui::Selectable(std::string(names[i]).c_str(), i == now)) brush.paint = static_cast<Paint>(i);
+            if (ImGui::Selectable(std::string(names[i]).c_str(), i == now))
+                brush.paint = static_cast<Paint>(i);
         ImGui::EndCombo();
     }
     tooltip("What the tool changes: heights, colours, or both. P goes through the three.", "Paint");
@@ -26,9 +27,11 @@ void paint_row(Brush& brush) {
 void colour_row(Brush& brush) {
     row_label("Colour");
     float rgb[3] = {brush.red, brush.green, brush.blue};
-    if (ImGui::ColorEdit3("##paint colour", rgb, ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoOptions))
+    if (ImGui::ColorEdit3("##paint colour", rgb,
+                          ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoOptions))
         set_colour(brush, {rgb[0], rgb[1], rgb[2]});
-    tooltip("sRGB, 0 to 255. A click on the patch opens the picker; S takes the colour under the pointer.", "Colour");
+    tooltip("sRGB, 0 to 255. A click on the patch opens the picker; S takes the colour under the pointer.",
+            "Colour");
 }
 
 void recent_row(Desk& desk) {
@@ -54,9 +57,12 @@ void map_row(Desk& desk) {
     const int now = desk.view.colour_bits;
     for (const int bits : {8, 16}) {
         if (bits > 8) ImGui::SameLine(0, points(4));
-        if (ImGui::RadioButton((std::to_string(bits) + " bit").c_str(), now == bits)) desk.view.colour_bits = bits;
-        tooltip("The first stroke that paints makes a colour map of the map's size, filled with the material's albedo.",
-                "New colour map");
+        if (ImGui::RadioButton((std::to_string(bits) + " bit").c_str(), now == bits))
+            desk.view.colour_bits = bits;
+        tooltip(
+            "The first stroke that paints makes a colour map of the map's size, filled with the material's "
+            "albedo.",
+            "New colour map");
     }
 }
 

@@ -85,7 +85,8 @@ bool Desk::save_to(const std::filesystem::path& path) {
     attempt([&] {
         const auto both = scene_with_maps(scene.path, path, colours);
         change_preferences([&](Preferences& p) { add_recent(p, both); });
-        toasts.info("The scene does not name these colours: open " + both.filename().string() + " from Recent");
+        toasts.info("The scene does not name these colours: open " + both.filename().string() +
+                    " from Recent");
     });
     return true;
 }

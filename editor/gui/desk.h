@@ -106,8 +106,8 @@ class Desk {
     void flatten_view();                     // to nearly parallel lines of sight, or back
     void toggle_symmetry(std::size_t axis);  // 0 to 2: x, y, z
     void choose_tool(std::size_t index);     // into tools(); beyond them, nothing happens
-    void next_paint();       // height, colour, both
-    void pick_colour();      // from the surface under the pointer, for the brush
+    void next_paint();                       // height, colour, both
+    void pick_colour();                      // from the surface under the pointer, for the brush
     // Before a stroke by that brush: where it paints and there is no colour map yet, one is made. Throws as
     // Session::make_colours.
     void prepare_to_paint(const Brush& brush);

@@ -101,9 +101,8 @@ struct SaveOp {
     std::optional<std::uint64_t> colour = std::nullopt;
     bool operator==(const SaveOp&) const = default;
 };
-using JournalOp =
-    std::variant<StrokeOp, UndoOp, RedoOp, MaskOp, SetOp, BakeOp, ExpectOp, ExpectImageOp, RenderOp, SaveOp,
-                 ColourMapOp>;
+using JournalOp = std::variant<StrokeOp, UndoOp, RedoOp, MaskOp, SetOp, BakeOp, ExpectOp, ExpectImageOp,
+                               RenderOp, SaveOp, ColourMapOp>;
 
 struct JournalEntry {
     int line = 0;  // 1-based, for messages

@@ -69,7 +69,9 @@ std::string brush_object(const Brush& brush) {
             .append(axis_names()[static_cast<std::size_t>(brush.radial_axis)])
             .append("\"");
     if (brush.paint != standard.paint)
-        text.append(",\"paint\":\"").append(paint_names()[static_cast<std::size_t>(brush.paint)]).append("\"");
+        text.append(",\"paint\":\"")
+            .append(paint_names()[static_cast<std::size_t>(brush.paint)])
+            .append("\"");
     return text + "}";
 }
 

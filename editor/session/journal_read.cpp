@@ -292,7 +292,7 @@ JournalOp read_op(const json& value, const std::string& where) {
     throw std::invalid_argument(
         where + ": op: is \"" + name +
         "\", must be one of stroke, undo, redo, mask, set, bake, expect, expect_image, render, save, "
-                "colour_map");
+        "colour_map");
 }
 
 JournalHeader read_header(const json& value, const std::string& where) {

@@ -60,7 +60,8 @@ MapMemory estimate_memory(const MapInfo& map, bool with_renderer, bool with_pyra
 }
 
 MapMemory estimate_colour_memory(const ColourInfo& colours, bool with_renderer) {
-    const std::uint64_t texels = static_cast<std::uint64_t>(colours.width) * static_cast<std::uint64_t>(colours.height);
+    const std::uint64_t texels =
+        static_cast<std::uint64_t>(colours.width) * static_cast<std::uint64_t>(colours.height);
     const std::uint64_t channel = colours.bits == 8 ? 1 : 2;
     const std::uint64_t file = texels * static_cast<std::uint64_t>(colours.channels) * channel;
     MapMemory need;

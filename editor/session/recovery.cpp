@@ -18,7 +18,8 @@ namespace {
 
 constexpr const char* kJournalExtension = ".jsonl";
 
-// Kept files keep their extension (it names their format): NAME.base.png and NAME.colour.png beside NAME.jsonl.
+// Kept files keep their extension (it names their format): NAME.base.png and NAME.colour.png beside
+// NAME.jsonl.
 fs::path base_stem(const fs::path& journal, BaseFile which) {
     fs::path stem = journal;
     return stem.replace_extension(which == BaseFile::map ? ".base" : ".colour");
@@ -37,8 +38,11 @@ std::optional<AbandonedJournal> read_abandoned(const fs::path& path) {
     if (writer_lives(path)) return std::nullopt;
     try {
         const Journal journal = read_journal(path);
-        AbandonedJournal found{path, journal.resolve(journal.header.scene),
-                               base_of(path, BaseFile::map), base_of(path, BaseFile::colours), 0,
+        AbandonedJournal found{path,
+                               journal.resolve(journal.header.scene),
+                               base_of(path, BaseFile::map),
+                               base_of(path, BaseFile::colours),
+                               0,
                                fs::last_write_time(path)};
         for (const JournalEntry& entry : journal.entries) {
             if (std::holds_alternative<SaveOp>(entry.op)) found.edits = 0;

@@ -187,7 +187,8 @@ class Replayer {
         const fs::path path = journal_.resolve(op.path);
         const fs::path colour_path = op.colour_map.empty() ? fs::path() : journal_.resolve(op.colour_map);
         if (!op.map) {
-            if (!colour_path.empty() && !session_.colours()) fail("save: colour_map: there is no colour map to save");
+            if (!colour_path.empty() && !session_.colours())
+                fail("save: colour_map: there is no colour map to save");
             return session_.save(path, colour_path);
         }
         const std::uint64_t got = session_.map().hash();
@@ -203,7 +204,8 @@ class Replayer {
         const ColourMap* colours = session_.colours();
         const std::string got = colours ? hash_text(colours->hash()) : "not there";
         if (got == hash_text(wanted)) return true;
-        report_.failures.push_back(where() + what + ": the colour map should be " + hash_text(wanted) + ", it is " + got);
+        report_.failures.push_back(where() + what + ": the colour map should be " + hash_text(wanted) +
+                                   ", it is " + got);
         return false;
     }
 

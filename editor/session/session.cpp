@@ -68,7 +68,7 @@ struct Session::State {
         header.undo_budget = options.undo_budget;
         header.mesh_hash = mesh_hash(scene.objects.front().mesh);
         if (recording) header.map_hash = file.map.hash();  // 512 MiB of texels take a while
-        header.colour_map = colours.start_file();
+        if (colours.there()) header.colour_map = fs::absolute(colours.start_file());
         if (recording && colours.there()) header.colour_hash = colours.map().hash();
         if (options.with_renderer) open_view();
         recorder = std::make_unique<Recorder>(header, options.journal, options.recovery);
@@ -447,7 +447,9 @@ void Session::bake(const ImageSize& size) {
 void Session::make_colours(int bits) {
     State& s = *state_;
     s.require_no_stroke();
-    if (s.source) throw std::invalid_argument("the heights are procedural: bake them into a map first, then paint that");
+    if (s.source)
+        throw std::invalid_argument(
+            "the heights are procedural: bake them into a map first, then paint that");
     s.colours.make(s.file.map.width(), s.file.map.height(), bits, s.scene.objects.front().material.albedo,
                    s.view != nullptr);
     ++s.colour_revision;
@@ -465,7 +467,8 @@ void Session::save(const fs::path& path, const fs::path& colour_path) {
     if (!s.start_map.empty() && fs::equivalent(path, s.start_map, ignored))
         s.recorder->keep_base(BaseFile::map, s.start_map);
     if (!colour_path.empty()) {
-        if (!s.colours.there()) throw std::invalid_argument(colour_path.string() + ": there is no colour map to save");
+        if (!s.colours.there())
+            throw std::invalid_argument(colour_path.string() + ": there is no colour map to save");
         check_colour_path(colour_path);
         const fs::path& start = s.colours.start_file();
         if (!start.empty() && fs::equivalent(colour_path, start, ignored))
@@ -480,8 +483,9 @@ fs::path Session::colour_path_for(const fs::path& map) const {
     const State& s = *state_;
     if (!s.colours.there()) return {};
     std::error_code ignored;
-    const bool own_file = s.map_path && (fs::absolute(map).lexically_normal() == s.map_path->lexically_normal() ||
-                                         fs::equivalent(map, *s.map_path, ignored));
+    const bool own_file =
+        s.map_path && (fs::absolute(map).lexically_normal() == s.map_path->lexically_normal() ||
+                       fs::equivalent(map, *s.map_path, ignored));
     const fs::path& file = s.colours.file();
     if (!own_file || file.empty()) return s.colours.path_beside(map);
     return s.colour_steps.unsaved() ? file : fs::path();

@@ -65,11 +65,12 @@ class Session {
     // ever masked.
     const HeightMap* mask() const;
     std::uint64_t mask_revision() const;  // changes whenever mask() does
-    // What strokes paint, of the edited object: its albedo map, or what make_colours() made. Null: there is none.
+    // What strokes paint, of the edited object: its albedo map, or what make_colours() made. Null: there is
+    // none.
     const ColourMap* colours() const;
     std::uint64_t colour_revision() const;  // changes whenever colours() does
-    // sRGB-encoded red, green and blue of the surface at a hit, [0, 1]: the nearest texel of the colour map, or, where the
-    // object has none in this session, the material's albedo.
+    // sRGB-encoded red, green and blue of the surface at a hit, [0, 1]: the nearest texel of the colour map,
+    // or, where the object has none in this session, the material's albedo.
     std::array<float, 3> colour_at(const PickHit& hit) const;
     const Surface& surface() const;
     bool has_renderer() const;
@@ -98,8 +99,9 @@ class Session {
     // Commands. Each is journaled when it is complete; a stroke is written and flushed at its end, with its
     // dabs; one without dabs leaves no trace. All but dab, end_stroke and cancel_stroke throw
     // std::logic_error in a stroke.
-    void begin_stroke();  // with brush(); std::invalid_argument when a setting is out of its range, the heights are
-                          // procedural, or the brush paints and there is no colour map of the map's size
+    void
+    begin_stroke();  // with brush(); std::invalid_argument when a setting is out of its range, the heights
+                     // are procedural, or the brush paints and there is no colour map of the map's size
     // Copies that the brush's symmetry makes are found here, and journaled with it. std::out_of_range when
     // the mesh has no such face.
     void dab(const Dab& dab);
@@ -111,9 +113,9 @@ class Session {
     bool undo();  // false: nothing to undo
     bool redo();
     void change_mask(MaskCommand command);                    // one undo step
-    // A colour map of the map's size, filled with the material's albedo, that the renderer shows in the albedo's place.
-    // No undo step. std::invalid_argument where there is one already, on bits other than 8 and 16, while the heights are
-    // procedural, or when memory would not do.
+    // A colour map of the map's size, filled with the material's albedo, that the renderer shows in the
+    // albedo's place. No undo step. std::invalid_argument where there is one already, on bits other than 8
+    // and 16, while the heights are procedural, or when memory would not do.
     void make_colours(int bits);
     void set(const std::string& key, const SetValue& value);  // keys: settings.h; std::invalid_argument
     void set_camera(const Camera& camera);
@@ -122,12 +124,13 @@ class Session {
     void bake(const ImageSize& size);
     // Writes the map. The extension names the format; metadata and exact values of the file that was loaded
     // are kept where the format is the same. std::invalid_argument when it cannot be written: the old file
-    // stays whole. `colour_path`: where the colour map is written, too, first; empty: not at all, and it stays unsaved.
+    // stays whole. `colour_path`: where the colour map is written, too, first; empty: not at all, and it
+    // stays unsaved.
     void save(const std::filesystem::path& path, const std::filesystem::path& colour_path);
     void save(const std::filesystem::path& path) { save(path, colour_path_for(path)); }
-    // Where save() writes the colour map when it writes the map to `map`: its own file where the map goes to its own,
-    // else a new NAME_colour.png (or the ending that it has) beside it. Empty where there is nothing to write: no colour map, or
-    // one that its file holds already.
+    // Where save() writes the colour map when it writes the map to `map`: its own file where the map goes to
+    // its own, else a new NAME_colour.png (or the ending that it has) beside it. Empty where there is nothing
+    // to write: no colour map, or one that its file holds already.
     std::filesystem::path colour_path_for(const std::filesystem::path& map) const;
     // Writes the map as another file, with the values of `range` where the format holds floats; what save()
     // would write, and whether that is due, stays. std::invalid_argument as save().
@@ -145,8 +148,8 @@ class Session {
     std::size_t clipped_texels() const;
     std::optional<std::filesystem::path> map_path() const;  // where save() last wrote or the map came from
 
-    // Map and colour map (where `colour_path` is not empty) as they are now are what the files hold: replaying the record
-    // of a save says so.
+    // Map and colour map (where `colour_path` is not empty) as they are now are what the files hold:
+    // replaying the record of a save says so.
     void confirm_saved(const std::filesystem::path& path, const std::filesystem::path& colour_path = {});
     // The user chose to lose what is unsaved: the recovery journal goes.
     void discard_recovery();

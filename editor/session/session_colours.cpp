@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 namespace {
 
 void require_memory_for(const fs::path& file, const ColourInfo& info, bool on_device) {
-    require_memory(file, {info.width, info.height, 0, MapFormat::png16}, estimate_colour_memory(info, on_device),
-                   available_memory());
+    require_memory(file, {info.width, info.height, 0, MapFormat::png16},
+                   estimate_colour_memory(info, on_device), available_memory());
 }
 
 }  // namespace
@@ -43,7 +43,9 @@ SessionColours::SessionColours(const fs::path& start, const fs::path& own, bool 
 ColourView SessionColours::view() const {
     if (!loaded_) return {};
     const ColourMap& m = loaded_->map;
-    return {m.width(), m.height(), m.bits(),
+    return {m.width(),
+            m.height(),
+            m.bits(),
             {m.plane(0).texels().data(), m.plane(1).texels().data(), m.plane(2).texels().data()}};
 }
 

@@ -19,8 +19,9 @@ std::array<float, 3> as_floats(const std::array<std::uint16_t, 3>& counts);  // 
 
 class SessionColours {
   public:
-    // Loads `start`; empty: there is no map yet. `own`: what saving means, the scene's albedo map. `on_device`: a renderer will hold it, too. Throws as load_colours, and
-    // std::invalid_argument before anything is loaded when memory would not do (memory_estimate.h).
+    // Loads `start`; empty: there is no map yet. `own`: what saving means, the scene's albedo map.
+    // `on_device`: a renderer will hold it, too. Throws as load_colours, and std::invalid_argument before
+    // anything is loaded when memory would not do (memory_estimate.h).
     SessionColours(const std::filesystem::path& start, const std::filesystem::path& own, bool on_device);
 
     bool there() const { return loaded_.has_value(); }
@@ -33,12 +34,12 @@ class SessionColours {
     // The map's own: the scene's, or where it was last saved; empty: none yet.
     const std::filesystem::path& file() const { return file_; }
 
-    // A map of one colour. std::invalid_argument where there is one already, on bits other than 8 and 16, and when memory
-    // would not do.
+    // A map of one colour. std::invalid_argument where there is one already, on bits other than 8 and 16, and
+    // when memory would not do.
     void make(int width, int height, int bits, const glm::vec3& albedo, bool on_device);
 
-    // A new file beside a displacement map of that name: NAME_colour.png, or with the ending that the file has now; with a
-    // number where that exists.
+    // A new file beside a displacement map of that name: NAME_colour.png, or with the ending that the file
+    // has now; with a number where that exists.
     std::filesystem::path path_beside(const std::filesystem::path& height_map) const;
     void save(const std::filesystem::path& path) const { save_colours(map(), path, loaded_->origin.get()); }
     void set_file(const std::filesystem::path& path) { file_ = path; }

@@ -61,7 +61,8 @@ SessionView::SessionView(const Scene& scene, std::span<const HeightMap* const> m
     settings.method = scene.method.name;
     settings.parameters = scene.method.parameters;
     settings.path = options.path;
-    renderer_ = std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours));
+    renderer_ =
+        std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours));
 }
 
 SessionView::~SessionView() = default;
@@ -78,7 +79,8 @@ Renderer& SessionView::compare_with(const Scene& scene, std::span<const HeightMa
     settings.method = method.name;
     settings.parameters = method.parameters;
     settings.path = path_;
-    second_ = std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours));
+    second_ =
+        std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours));
     return *second_;
 }
 
@@ -97,7 +99,8 @@ void SessionView::upload(const HeightMap& map, std::span<const TexelRect> rects,
     times.refit_ms += more.refit_ms;
 }
 
-void SessionView::upload_colours(const ColourView& colours, std::span<const TexelRect> rects, StageTimes& times) {
+void SessionView::upload_colours(const ColourView& colours, std::span<const TexelRect> rects,
+                                 StageTimes& times) {
     if (rects.empty()) return;
     Stopwatch watch;
     renderer_->upload_colours(0, colours, regions_of(rects));

@@ -14,8 +14,8 @@ namespace relievo {
 
 class SessionView {
   public:
-    // `maps`: one a scene object, and `colours`: of objects[0], read during the call only. `scene` outlives the view. Throws as Renderer
-    // does.
+    // `maps`: one a scene object, and `colours`: of objects[0], read during the call only. `scene` outlives
+    // the view. Throws as Renderer does.
     SessionView(const Scene& scene, std::span<const HeightMap* const> maps, const ColourView& colours,
                 const SessionOptions& options);
     ~SessionView();
@@ -31,7 +31,7 @@ class SessionView {
     void upload(const HeightMap& map, std::span<const TexelRect> rects, StageTimes& times);
     // The same of its colours; adds to upload_ms.
     void upload_colours(const ColourView& colours, std::span<const TexelRect> rects, StageTimes& times);
-    void set_colours(const ColourView& colours);  // there were none
+    void set_colours(const ColourView& colours);          // there were none
     void follow(SettingScope scope, const Scene& scene);  // all but heights
     // objects[0] has other heights.
     void set_heights(const Displacement& displacement, const HeightMap& map);

@@ -15,7 +15,8 @@ namespace {
 constexpr std::array<std::uint16_t, 3> kGround{20 * 257, 100 * 257, 200 * 257};
 
 struct Plane {
-    explicit Plane(int bits = 16, int size = 128, float amplitude = 0.2f, std::size_t budget = std::size_t{1} << 30)
+    explicit Plane(int bits = 16, int size = 128, float amplitude = 0.2f,
+                   std::size_t budget = std::size_t{1} << 30)
         : map(size, size),
           colours(size, size, bits, kGround),
           surface(map, {unit_chart(map)}, amplitude),
@@ -46,9 +47,9 @@ double target_of(const Brush& brush, std::size_t channel) {
 // Of the dab at the middle of the texel (x, y) seen from the middle of texel (cx, cy).
 double falloff_at(const Plane& plane, const Brush& brush, int x, int y, double cx, double cy) {
     const double d = std::hypot((x + 0.5) / plane.map.width() - cx, (y + 0.5) / plane.map.height() - cy);
-    return d < double{brush.radius}
-               ? double{falloff_weight(brush.falloff, brush.hardness, static_cast<float>(d / double{brush.radius}))}
-               : 0;
+    return d < double{brush.radius} ? double{falloff_weight(brush.falloff, brush.hardness,
+                                                            static_cast<float>(d / double{brush.radius}))}
+                                    : 0;
 }
 
 TEST(Paint, one_dab_blends_by_the_documented_fraction) {
@@ -64,10 +65,12 @@ TEST(Paint, one_dab_blends_by_the_documented_fraction) {
             for (int y = 0; y < 128; ++y)
                 for (int x = 0; x < 128; ++x)
                     for (std::size_t k = 0; k < 3; ++k) {
-                        const double part =
-                            0.8 * pressure * falloff_at(plane, brush, x, y, 0.5, 0.4) * double{brush.spacing} / 0.15;
-                        const double wanted = kGround[k] + (target_of(brush, k) - kGround[k]) * std::min(part, 1.0);
-                        ASSERT_NEAR(plane.colours.plane(k).at(x, y), wanted, 0.5 * step + 3) << x << ", " << y;
+                        const double part = 0.8 * pressure * falloff_at(plane, brush, x, y, 0.5, 0.4) *
+                                            double{brush.spacing} / 0.15;
+                        const double wanted =
+                            kGround[k] + (target_of(brush, k) - kGround[k]) * std::min(part, 1.0);
+                        ASSERT_NEAR(plane.colours.plane(k).at(x, y), wanted, 0.5 * step + 3)
+                            << x << ", " << y;
                         ASSERT_EQ(plane.colours.plane(k).at(x, y) % plane.colours.step(), 0);
                     }
         }
@@ -83,7 +86,8 @@ TEST(Paint, thousand_weak_dabs_do_not_round_away) {
         plane.sculptor.end();
         const double part = 1 - std::pow(1 - 0.0005, 1000);
         for (std::size_t k = 0; k < 3; ++k)
-            EXPECT_NEAR(plane.colours.plane(k).at(64, 64), kGround[k] + (target_of(brush, k) - kGround[k]) * part,
+            EXPECT_NEAR(plane.colours.plane(k).at(64, 64),
+                        kGround[k] + (target_of(brush, k) - kGround[k]) * part,
                         0.5 * plane.colours.step() + 8);
     }
 }
@@ -100,7 +104,8 @@ TEST(Paint, without_accumulate_passing_again_in_a_stroke_adds_nothing) {
         EXPECT_EQ(once.colours.hash(), often.colours.hash());
         EXPECT_NEAR(once.colours.plane(0).at(64, 64), (kGround[0] + 65535) / 2, 200);
         tap(often.sculptor, often.surface, brush, {0.5, 0.5});
-        EXPECT_GT(often.colours.plane(0).at(64, 64), once.colours.plane(0).at(64, 64)) << "a second stroke goes on";
+        EXPECT_GT(often.colours.plane(0).at(64, 64), once.colours.plane(0).at(64, 64))
+            << "a second stroke goes on";
     }
 }
 
@@ -146,7 +151,8 @@ TEST(Paint, smooth_evens_colours_out_as_it_does_heights) {
     ChartSurface flat(heights.map, {unit_chart(heights.map)}, 1e-6f);
     Sculptor on_flat(heights.map, flat);
     stroke(on_flat, flat, brush_of(Paint::height, 0.8f, Tool::smooth), {0.4, 0.5}, {0.6, 0.5});
-    stroke(colours.sculptor, colours.surface, brush_of(Paint::colour, 0.8f, Tool::smooth), {0.4, 0.5}, {0.6, 0.5});
+    stroke(colours.sculptor, colours.surface, brush_of(Paint::colour, 0.8f, Tool::smooth), {0.4, 0.5},
+           {0.6, 0.5});
     for (int y = 0; y < 128; ++y)
         for (int x = 0; x < 128; ++x)
             ASSERT_NEAR(colours.colours.plane(2).at(x, y), heights.map.at(x, y), 1) << x << ", " << y;
@@ -170,8 +176,8 @@ TEST(Paint, is_undone_and_redone_to_the_byte_in_one_step_with_the_height) {
         const auto note = [&] { states.emplace_back(plane.map.hash(), plane.colours.hash()); };
         note();
         for (const Paint paint : {Paint::both, Paint::colour, Paint::height, Paint::both}) {
-            stroke(plane.sculptor, plane.surface, brush_of(paint, 0.3f), {0.2, 0.3 + 0.1 * double(states.size())},
-                   {0.8, 0.5});
+            stroke(plane.sculptor, plane.surface, brush_of(paint, 0.3f),
+                   {0.2, 0.3 + 0.1 * double(states.size())}, {0.8, 0.5});
             note();
         }
         EXPECT_EQ(plane.sculptor.steps_made(), 4u);
@@ -208,7 +214,8 @@ TEST(Paint, reports_the_texels_that_changed_and_leaves_no_trace_when_cancelled) 
                 bool changed = false, inside = false;
                 for (std::size_t k = 0; k < 3; ++k)
                     changed = changed || plane.colours.plane(k).at(x, y) != before.plane(k).at(x, y);
-                for (const TexelRect& r : rects) inside = inside || (x >= r.x0 && x < r.x1 && y >= r.y0 && y < r.y1);
+                for (const TexelRect& r : rects)
+                    inside = inside || (x >= r.x0 && x < r.x1 && y >= r.y0 && y < r.y1);
                 if (changed && !inside) return false;
             }
         return !rects.empty();
@@ -238,7 +245,8 @@ TEST(Paint, mask_protects_colours_as_it_protects_heights) {
     tap(half.sculptor, half.surface, mask, {0.5, 0.5});
     for (Plane* plane : {&half, &free})
         tap(plane->sculptor, plane->surface, brush_of(Paint::colour, 0.8f), {0.5, 0.5});
-    EXPECT_NEAR(half.colours.plane(0).at(64, 64) - kGround[0], (free.colours.plane(0).at(64, 64) - kGround[0]) / 2.0, 2);
+    EXPECT_NEAR(half.colours.plane(0).at(64, 64) - kGround[0],
+                (free.colours.plane(0).at(64, 64) - kGround[0]) / 2.0, 2);
     half.sculptor.clear_mask();
     half.sculptor.invert_mask();
     const std::uint64_t hash = half.colours.hash();
@@ -301,7 +309,8 @@ TEST(PaintSeam, both_sides_of_an_aligned_seam_hold_the_same_colours_after_every_
         for (int i = 0; i < 12; ++i) {
             sculptor.dab(surface.dab(0.4 + 0.02 * i, 0.5));
             for (std::size_t k = 0; k < 3; ++k)
-                ASSERT_EQ(ChartSurface(colours.plane(k), charts, 0.2f).gap(0, 1, {0.5, 0.1}, {0.5, 0.9}), 0.0);
+                ASSERT_EQ(ChartSurface(colours.plane(k), charts, 0.2f).gap(0, 1, {0.5, 0.1}, {0.5, 0.9}),
+                          0.0);
         }
         sculptor.end();
         for (std::size_t k = 0; k < 3; ++k)
@@ -322,7 +331,9 @@ TEST(PaintSeam, slanted_seam_is_settled_to_a_part_of_the_stroke) {
     for (std::size_t k = 0; k < 3; ++k) {
         const double change = std::abs(1.0 * colours.plane(k).at(3 + 44, 3 + 46) - kGround[k]);
         EXPECT_GT(change, 2000);
-        EXPECT_LT(ChartSurface(colours.plane(k), charts, 0.2f).gap(0, 1, {0.5, 0.1}, {0.5, 0.9}), 0.02 * change) << k;
+        EXPECT_LT(ChartSurface(colours.plane(k), charts, 0.2f).gap(0, 1, {0.5, 0.1}, {0.5, 0.9}),
+                  0.02 * change)
+            << k;
     }
 }
 
@@ -338,11 +349,13 @@ TEST(PaintMisuse, is_refused_in_words_and_changes_nothing) {
         }
         return std::string();
     };
-    EXPECT_EQ(refusal([&] { sculptor.begin(brush_of(Paint::both)); }), "painting needs a colour map: make one first");
+    EXPECT_EQ(refusal([&] { sculptor.begin(brush_of(Paint::both)); }),
+              "painting needs a colour map: make one first");
     EXPECT_FALSE(sculptor.in_stroke());
     ColourMap other(32, 16, 8), right(32, 32, 8);
     EXPECT_EQ(refusal([&] { sculptor.set_colours(other); }),
-              "the colour map has 32 x 16 texels, the displacement map 32 x 32: to be painted, it must have as many");
+              "the colour map has 32 x 16 texels, the displacement map 32 x 32: to be painted, it must have "
+              "as many");
     sculptor.set_colours(right);
     EXPECT_THROW(sculptor.set_colours(right), std::logic_error);
     Brush brush = brush_of(Paint::colour);

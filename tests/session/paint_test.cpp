@@ -100,15 +100,18 @@ TEST_F(PaintSession, AJournalReplaysToTheSameColoursAndHeights) {
             heights = session.map().hash();
         }
         std::string text = test::read_text(at(name.c_str()));
-        EXPECT_NE(text.find("{\"op\":\"colour_map\",\"bits\":" + std::to_string(bits) + "}"), std::string::npos);
+        EXPECT_NE(text.find("{\"op\":\"colour_map\",\"bits\":" + std::to_string(bits) + "}"),
+                  std::string::npos);
         EXPECT_NE(text.find(R"("red":0.1,"green":0.7,"blue":0.9,"paint":"both")"), std::string::npos) << text;
-        text += R"({"op":"expect","map":")" + hash_text(heights) + R"(","colour":")" + hash_text(colours) + "\"}\n";
+        text += R"({"op":"expect","map":")" + hash_text(heights) + R"(","colour":")" + hash_text(colours) +
+                "\"}\n";
         text += R"({"op":"expect","map":")" + hash_text(heights) + R"(","colour":"1"})" + "\n";
         test::write_text(at("again.jsonl"), text);
         Session again(scene, headless());
         const ReplayReport report = replay(read_journal(at("again.jsonl")), again);
         ASSERT_EQ(report.failures.size(), 1u);
-        EXPECT_NE(report.failures[0].find("expect: the colour map should be 0000000000000001, it is"), std::string::npos);
+        EXPECT_NE(report.failures[0].find("expect: the colour map should be 0000000000000001, it is"),
+                  std::string::npos);
         EXPECT_EQ(again.colours()->hash(), colours);
         EXPECT_EQ(again.map().hash(), heights);
     }
@@ -192,8 +195,9 @@ TEST_F(PaintSession, TheRecordOfASaveReplaysWithoutWriting) {
     EXPECT_TRUE(replay(read_journal(at("saved.jsonl")), again).failures.empty());
     EXPECT_FALSE(fs::exists(colours));
     EXPECT_FALSE(again.unsaved());
-    test::write_text(at("script.jsonl"), "{\"relievo_journal\":1}\n"
-                                         "{\"op\":\"save\",\"path\":\"s.png\",\"colour_map\":\"s_c.tif\"}\n");
+    test::write_text(at("script.jsonl"),
+                     "{\"relievo_journal\":1}\n"
+                     "{\"op\":\"save\",\"path\":\"s.png\",\"colour_map\":\"s_c.tif\"}\n");
     Session script(scene, headless());
     replay(read_journal(at("script.jsonl")), script);
     EXPECT_TRUE(fs::exists(at("s.png")));
@@ -211,7 +215,8 @@ TEST_F(PaintSession, AJournalKnowsTheColourMapThatItBeganWith) {
     ASSERT_TRUE(journal.header.colour_hash.has_value());
     save_colours(ColourMap(64, 64, 16), at("bark.png"));
     Session other(scene, headless());
-    EXPECT_NE(refusal([&] { replay(journal, other); }).find("colour_hash: recorded on colour map"), std::string::npos);
+    EXPECT_NE(refusal([&] { replay(journal, other); }).find("colour_hash: recorded on colour map"),
+              std::string::npos);
     Session none(test::write_scene(folder_.path()), headless());
     EXPECT_NE(refusal([&] { replay(journal, none); }).find("this scene has none"), std::string::npos);
 }
@@ -256,7 +261,8 @@ TEST_F(PaintSession, AMapOfAnotherSizeIsShownButNotPainted) {
     Session session(painted_scene(folder_.path(), 8, 32), headless());
     EXPECT_EQ(session.colours()->width(), 32);
     EXPECT_EQ(refusal([&] { paint(session, 1); }),
-              "the colour map has 32 x 32 texels, the displacement map 64 x 64: to be painted, it must have as many");
+              "the colour map has 32 x 32 texels, the displacement map 64 x 64: to be painted, it must have "
+              "as many");
     session.brush().paint = Paint::height;
     sculpt(session, 1);
     EXPECT_TRUE(session.can_undo());
@@ -276,8 +282,10 @@ TEST_F(PaintSession, BadJournalsNameLineAndKey) {
     };
     has(refused(R"({"op":"colour_map","bits":10})"), "bad.jsonl:2: bits: is 10, must be 8 or 16");
     has(refused(R"({"op":"colour_map"})"), "bits: is missing");
-    has(refused(R"({"op":"stroke","brush":{"paint":"colours"},"dabs":[]})"), "paint: is \"colours\", must be one of");
-    has(refused(R"({"op":"stroke","brush":{"paint":"both","red":2},"dabs":[]})"), "red: is 2, must be in [0, 1]");
+    has(refused(R"({"op":"stroke","brush":{"paint":"colours"},"dabs":[]})"),
+        "paint: is \"colours\", must be one of");
+    has(refused(R"({"op":"stroke","brush":{"paint":"both","red":2},"dabs":[]})"),
+        "red: is 2, must be in [0, 1]");
     has(refused(R"({"op":"stroke","brush":{"paint":"both"},"dabs":[[0,0,0,0,65535]]})"),
         "bad.jsonl:2: painting needs a colour map");
     has(refused(R"({"op":"save","path":"a.png","colour_map":"b.png"})"), "there is no colour map to save");
@@ -306,7 +314,8 @@ TEST_F(PaintSession, TheRendererShowsEveryDabAndUndo) {
     session.save(at("after.tif"));
     std::string text = test::read_text(scene);
     const std::string mesh = "\"mesh\": \"sheet.obj\",";
-    text.replace(text.find(mesh), mesh.size(), mesh + " \"material\": {\"albedo_map\": \"after_colour.png\"},");
+    text.replace(text.find(mesh), mesh.size(),
+                 mesh + " \"material\": {\"albedo_map\": \"after_colour.png\"},");
     test::write_text(at("after.json"), text);
     {
         Session fresh(at("after.json"), options);
