@@ -13,7 +13,9 @@ namespace {
     throw std::invalid_argument("albedo map '" + path.string() + "': " + what);
 }
 
-void check_spec(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
+void check_spec(const std::filesystem::path& path, const OIIO::ImageInput& input) {
+    const OIIO::ImageSpec& spec = input.spec();
+    const std::string format = input.format_name();
     constexpr int kMaxSize = 16384;
     if (spec.width < 1 || spec.height < 1 || spec.width > kMaxSize || spec.height > kMaxSize)
         fail(path, "it must have 1 to 16384 texels a side");
@@ -21,9 +23,10 @@ void check_spec(const std::filesystem::path& path, const OIIO::ImageSpec& spec) 
         fail(path, "it has " + std::to_string(spec.nchannels) +
                        (spec.nchannels == 1 ? " channel" : " channels") +
                        ", must have three (RGB) or four (RGBA)");
-    if (spec.format != OIIO::TypeDesc::UINT8 && spec.format != OIIO::TypeDesc::UINT16)
-        fail(path, "it holds " + std::string(spec.format.c_str()) +
-                       " values, must be a PNG or TIFF of 8 or 16 bits");
+    if ((format != "png" && format != "tiff") ||
+        (spec.format != OIIO::TypeDesc::UINT8 && spec.format != OIIO::TypeDesc::UINT16))
+        fail(path, "it holds " + std::string(spec.format.c_str()) + " values in the format " + format +
+                       ", must be a PNG or TIFF of 8 or 16 bits");
 }
 
 }  // namespace
@@ -34,7 +37,7 @@ AlbedoFile load_albedo_file(const std::filesystem::path& path) {
     const auto input = OIIO::ImageInput::open(path.string(), &config);
     if (!input) fail(path, "cannot be opened as an image: " + OIIO::geterror());
     const OIIO::ImageSpec spec = input->spec();
-    check_spec(path, spec);
+    check_spec(path, *input);
     AlbedoFile file{spec.width, spec.height, spec.format == OIIO::TypeDesc::UINT8 ? 8 : 16, {}};
     const auto width = static_cast<std::size_t>(spec.width), height = static_cast<std::size_t>(spec.height);
     for (auto& plane : file.planes) plane.resize(width * height);
