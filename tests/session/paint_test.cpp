@@ -299,18 +299,20 @@ TEST_F(PaintSession, TheRendererShowsEveryDabAndUndo) {
     options.validation = true;
     options.width = 80, options.height = 60;
     const fs::path scene = test::write_scene(folder_.path());
-    const auto image = [](Session& session) {
-        session.renderer().restart();
-        session.renderer().render();
-        return session.renderer().read_back(Layer::beauty);
+    const auto shown_by = [](Renderer& renderer) {
+        renderer.restart();
+        renderer.render();
+        return renderer.read_back(Layer::beauty);
     };
+    const auto image = [&](Session& session) { return shown_by(session.renderer()); };
     Session session(scene, options);
     const auto bare = image(session);
+    Renderer& second = session.compare_with({"march", {}});
     session.make_colours(16);
     const auto filled = image(session);
     for (std::size_t i = 0; i < bare.size(); ++i) ASSERT_NEAR(filled[i], bare[i], 2e-3f * (1 + bare[i]));
     paint(session, 3, Paint::colour, 0.9f);
-    const auto painted = image(session);
+    const auto painted = image(session), painted_by_second = shown_by(second);
     session.save(at("after.tif"));
     std::string text = test::read_text(scene);
     const std::string mesh = "\"mesh\": \"sheet.obj\",";
@@ -320,6 +322,8 @@ TEST_F(PaintSession, TheRendererShowsEveryDabAndUndo) {
     {
         Session fresh(at("after.json"), options);
         EXPECT_TRUE(image(fresh) == painted);
+        fresh.set("method", std::string("march"));
+        EXPECT_TRUE(image(fresh) == painted_by_second);
     }
     EXPECT_TRUE(session.undo());
     EXPECT_TRUE(image(session) == filled);
