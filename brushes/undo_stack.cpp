@@ -19,7 +19,7 @@ void UndoStack::add_patch(Step& step, Layer layer, const TexelRect& within, cons
     patch.texels.reserve(static_cast<std::size_t>(rect.area()));
     for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x) patch.texels.push_back(before(x, y));
-    step.bytes += sizeof(Patch) + patch.texels.size() * sizeof(std::uint16_t);
+    step.bytes += kPatchBytes + patch.texels.size() * sizeof(std::uint16_t);
     step.patches.push_back(std::move(patch));
 }
 

@@ -53,6 +53,9 @@ class UndoStack {
     std::size_t budget() const { return budget_; }
 
   private:
+    // Counted for a patch beside its texels. Fixed: a journal's replay must drop the steps that its session
+    // dropped.
+    static constexpr std::size_t kPatchBytes = 40;
     struct Patch {
         Layer layer;
         TexelRect rect;

@@ -78,6 +78,25 @@ TEST_F(PaintSession, ANewMapHasTheSizeOfTheHeightsAndTheMaterialsColour) {
     EXPECT_EQ(refusal([&] { session.make_colours(8); }), "there is a colour map already");
 }
 
+TEST_F(PaintSession, TheColourAtAHitIsThatOfItsTexelOrTheMaterials) {
+    const fs::path scene = painted_scene(folder_.path(), 16);
+    ColourMap map(64, 64, 16);
+    map.plane(0).set(8 * 3 + 6, 8 * 5 + 4, 65535);  // where the hit is
+    map.plane(2).set(8 * 3 + 6, 8 * 5 + 4, 13107);
+    save_colours(map, at("bark.png"));
+    PickHit hit;
+    hit.hit = true;
+    hit.face = 2 * (5 * 8 + 3);
+    hit.b1 = 0.3f, hit.b2 = 0.5f;
+    Session session(scene, headless());
+    EXPECT_EQ(session.colour_at(hit), (std::array{1.0f, 0.0f, 0.2f}));
+    hit.face += 2;
+    EXPECT_EQ(session.colour_at(hit), (std::array{0.0f, 0.0f, 0.0f}));
+    Session bare(test::write_scene(folder_.path()), headless());
+    bare.set("material.albedo", std::vector<double>{1, 0, 0.21404114});
+    EXPECT_NEAR(bare.colour_at(hit)[2], 0.5f, 1e-4f);
+}
+
 TEST_F(PaintSession, AJournalReplaysToTheSameColoursAndHeights) {
     for (const int bits : {8, 16}) {
         const std::string name = "journal" + std::to_string(bits) + ".jsonl";
