@@ -548,6 +548,10 @@ std::size_t Session::undo_budget() const {
 std::size_t Session::clipped_texels() const {
     return state_->sculptor->clipped_texels();
 }
+std::optional<fs::path> Session::colour_path() const {
+    const fs::path& file = state_->colours.file();
+    return file.empty() ? std::nullopt : std::optional(file);
+}
 std::optional<fs::path> Session::map_path() const {
     return state_->map_path;
 }

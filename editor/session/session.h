@@ -146,6 +146,8 @@ class Session {
     std::size_t undo_bytes() const;
     std::size_t undo_budget() const;
     std::size_t clipped_texels() const;
+    // The colour map's own file: the scene's, or where save() last wrote it.
+    std::optional<std::filesystem::path> colour_path() const;
     std::optional<std::filesystem::path> map_path() const;  // where save() last wrote or the map came from
 
     // Map and colour map (where `colour_path` is not empty) as they are now are what the files hold:

@@ -75,6 +75,9 @@ TEST_F(PaintSession, ANewMapHasTheSizeOfTheHeightsAndTheMaterialsColour) {
     EXPECT_EQ(session.colours()->plane(1).at(5, 5), 128 * 257);
     EXPECT_EQ(session.colours()->plane(2).at(5, 5), 0);
     EXPECT_FALSE(session.unsaved());
+    EXPECT_FALSE(session.colour_path());
+    session.save(at("first.tif"));
+    EXPECT_EQ(session.colour_path(), at("first_colour.png"));
     EXPECT_EQ(refusal([&] { session.make_colours(8); }), "there is a colour map already");
 }
 
