@@ -13,7 +13,7 @@
 
 namespace relievo {
 
-// A file, and what messages call it: "map '/tmp/a.png': no such file".
+// A file, and what messages call it: "map 'a.png': no such file".
 struct ImageName {
     std::filesystem::path path;
     const char* kind;
