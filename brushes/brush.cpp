@@ -37,6 +37,12 @@ constexpr std::array kParameters{
                    &Brush::rotation, tool_set({Tool::stamp})},
     BrushParameter{"radial", "turns", "Copies of the stroke around an axis of the object; 1 is none", 1.0f,
                    64.0f, 1.0f, &Brush::radial},
+    BrushParameter{"red", "sRGB", "Of the colour that is painted", 0.0f, 1.0f, 0.8f, &Brush::red,
+                   kColouringTools},
+    BrushParameter{"green", "sRGB", "Of the colour that is painted", 0.0f, 1.0f, 0.3f, &Brush::green,
+                   kColouringTools},
+    BrushParameter{"blue", "sRGB", "Of the colour that is painted", 0.0f, 1.0f, 0.2f, &Brush::blue,
+                   kColouringTools},
 };
 
 constexpr std::array kFlags{
@@ -73,6 +79,7 @@ constexpr std::array kTools{
 
 constexpr std::array<std::string_view, 4> kFalloffs{"smooth", "linear", "sharp", "constant"};
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+constexpr std::array<std::string_view, 3> kPaints{"height", "colour", "both"};
 
 }  // namespace
 
@@ -91,6 +98,9 @@ std::span<const std::string_view> falloff_names() {
 std::span<const std::string_view> axis_names() {
     return kAxes;
 }
+std::span<const std::string_view> paint_names() {
+    return kPaints;
+}
 
 void check_brush(const Brush& brush) {
     for (const BrushParameter& parameter : kParameters) {
@@ -107,6 +117,8 @@ void check_brush(const Brush& brush) {
                                         ": must be a whole number");
     if (static_cast<std::size_t>(brush.radial_axis) >= kAxes.size())
         throw std::invalid_argument("brush radial_axis: no such axis");
+    if (static_cast<std::size_t>(brush.paint) >= kPaints.size())
+        throw std::invalid_argument("brush paint: no such choice");
     if (static_cast<std::size_t>(brush.tool) >= kTools.size())
         throw std::invalid_argument("brush tool: no such tool");
     if (static_cast<std::size_t>(brush.falloff) >= kFalloffs.size())

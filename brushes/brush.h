@@ -29,6 +29,8 @@ enum class Tool : std::uint8_t {
 };
 enum class Axis : std::uint8_t { x, y, z };
 enum class Falloff : std::uint8_t { smooth, linear, sharp, constant };
+// What a tool that raises or lowers, or smooth, changes; other tools change heights alone.
+enum class Paint : std::uint8_t { height, colour, both };
 
 struct Brush {
     Tool tool = Tool::draw;
@@ -49,6 +51,8 @@ struct Brush {
     bool mirror_x = false, mirror_y = false, mirror_z = false;
     float radial = 1.0f;         // turns, a whole number in [1, 64]; 1: none
     Axis radial_axis = Axis::y;  // that they go about
+    Paint paint = Paint::height;
+    float red = 0.8f, green = 0.3f, blue = 0.2f;  // sRGB-encoded, as the colour map holds them, [0, 1]
     bool operator==(const Brush&) const = default;
 };
 
@@ -89,6 +93,11 @@ constexpr ToolSet tool_set(std::initializer_list<Tool> tools) {
     for (const Tool tool : tools) set |= 1u << static_cast<unsigned>(tool);
     return set;
 }
+// The tools that raise or lower, which may paint as well; and smooth, which may even out colours.
+inline constexpr ToolSet kColouringTools =
+    tool_set({Tool::draw, Tool::level, Tool::inflate, Tool::clay, Tool::crease, Tool::noise,
+              Tool::stamp});
+inline constexpr ToolSet kPaintingTools = kColouringTools | tool_set({Tool::smooth});
 constexpr ToolSet kEveryTool = ~ToolSet{0};
 constexpr bool holds(ToolSet set, Tool tool) {
     return (set & tool_set({tool})) != 0;
@@ -119,6 +128,15 @@ struct ToolInfo {
 std::span<const ToolInfo> tools();
 std::span<const std::string_view> falloff_names();  // in the order of Falloff
 std::span<const std::string_view> axis_names();     // in the order of Axis
+std::span<const std::string_view> paint_names();    // in the order of Paint
+
+// Whether a stroke changes the colour map, and whether it changes anything else.
+inline bool paints(const Brush& brush) {
+    return brush.paint != Paint::height && holds(kPaintingTools, brush.tool);
+}
+inline bool sculpts(const Brush& brush) {
+    return !(paints(brush) && brush.paint == Paint::colour);
+}
 
 // Throws std::invalid_argument that names the first setting outside its range (NaN included) and the range.
 void check_brush(const Brush& brush);

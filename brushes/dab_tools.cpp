@@ -1,6 +1,7 @@
 // The brush's falloff, and which tool a dab goes to.
 #include "brushes/dab_tools.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -70,6 +71,25 @@ bool adds_up(const Brush& brush) {
     constexpr ToolSet kTowardsTarget = tool_set(
         {Tool::smooth, Tool::flatten, Tool::level, Tool::erase, Tool::clay, Tool::clone, Tool::mask});
     return brush.accumulate && !holds(kTowardsTarget, brush.tool);
+}
+
+void apply_together(std::vector<TexelChange> changes, bool add_up, StrokeTiles& stroke) {
+    std::stable_sort(changes.begin(), changes.end(), [](const TexelChange& a, const TexelChange& b) {
+        return a.y != b.y ? a.y < b.y : a.x < b.x;
+    });
+    for (std::size_t i = 0; i < changes.size();) {
+        const TexelChange first = changes[i];
+        double sum = 0;
+        float largest = 0;
+        std::size_t count = 0;
+        for (; i < changes.size() && changes[i].x == first.x && changes[i].y == first.y; ++i, ++count) {
+            const float step = changes[i].to - changes[i].from;
+            sum += double{step};
+            if (std::abs(step) > std::abs(largest) || (step == -largest && step > 0)) largest = step;
+        }
+        const float together = first.from + (add_up ? static_cast<float>(sum) : largest);
+        stroke.set_change(first.x, first.y, count == 1 ? first.to : together);
+    }
 }
 
 std::vector<TexelChange> dab_changes(const Brush& brush, const DabPlace& place, const Surface& surface,

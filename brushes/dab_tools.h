@@ -30,6 +30,7 @@
 //            laid on that at the source, turned as the dab says.
 //   grab     moves what the first dab held by s * f of the hand's drag, its relief along the surface and its
 //            height by the drag's part along the normal.
+// What a stroke paints stands in brushes/paint_stroke.h; invert does not turn colours.
 // invert turns draw, stamp, inflate, noise, clay, crease, pinch and mask round. Where the mask protects a
 // texel, s is less by as much. No tool but mask does anything where the amplitude is 0, not finite, or so
 // small that a count has no size.
@@ -81,5 +82,8 @@ bool adds_up(const Brush& brush);
 // dab left it) and `stroke`; writes nothing but place.hold. `mask`: 65535 protects a texel; null: none.
 std::vector<TexelChange> dab_changes(const Brush& brush, const DabPlace& place, const Surface& surface,
                                      const Seams& seams, const StrokeTiles& stroke, const HeightMap* mask);
+
+// Writes the changes of a dab's copies, in any order to the same effect. `add_up`: as adds_up() says.
+void apply_together(std::vector<TexelChange> changes, bool add_up, StrokeTiles& stroke);
 
 }  // namespace relievo

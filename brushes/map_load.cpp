@@ -5,54 +5,20 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
-#include <string_view>
-#include <system_error>
 
-#include "brushes/file_check.h"
+#include "brushes/image_read.h"
 #include "brushes/map_origin.h"
 
 namespace relievo {
 namespace fs = std::filesystem;
 namespace {
 
+ImageName map_name(const fs::path& path) {
+    return {path, "map"};
+}
+
 [[noreturn]] void fail(const fs::path& path, const std::string& what) {
-    throw std::invalid_argument("map '" + path.string() + "': " + what);
-}
-
-// The first line of what the library says, without the file name that it likes to repeat.
-std::string library_error(std::string text) {
-    text = text.substr(0, text.find('\n'));
-    return text.empty() ? "not a readable image" : text;
-}
-
-void check_file(const fs::path& path) {
-    std::error_code error;
-    if (!fs::exists(path, error)) fail(path, "no such file");
-    if (!fs::is_regular_file(path, error)) fail(path, "not a file");
-}
-
-PngCheck check_content(const fs::path& path) {
-    const PngCheck check = check_png(path);
-    if (!check.damage.empty()) fail(path, "cut off or damaged: " + check.damage);
-    return check;
-}
-
-std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
-    OIIO::ImageSpec config;
-    config.attribute("oiio:UnassociatedAlpha", 1);  // or colours come multiplied by alpha, and lose bits
-    auto image = OIIO::ImageInput::open(path.string(), &config);
-    if (!image) fail(path, "cannot be opened as an image: " + library_error(OIIO::geterror()));
-    return image;
-}
-
-void check_spec(const fs::path& path, OIIO::ImageInput& image) {
-    const OIIO::ImageSpec& spec = image.spec();
-    const auto limit = std::to_string(HeightMap::kMaxSize);
-    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) fail(path, "the image has no texels");
-    if (spec.width > HeightMap::kMaxSize || spec.height > HeightMap::kMaxSize)
-        fail(path, std::to_string(spec.width) + " x " + std::to_string(spec.height) + " texels; at most " +
-                       limit + " a side are possible");
-    if (spec.deep || spec.depth > 1) fail(path, "deep or volume images cannot be displacement maps");
+    map_name(path).fail(what);
 }
 
 MapFormat format_in(const fs::path& path, const OIIO::ImageInput& image) {
@@ -65,26 +31,6 @@ MapFormat format_in(const fs::path& path, const OIIO::ImageInput& image) {
     if (name == "openexr" && type == OIIO::TypeDesc::FLOAT) return MapFormat::exr_float;
     fail(path, "holds " + std::string(type.c_str()) + " values in the format " + name +
                    "; a map is a 16-bit PNG or TIFF (8-bit works) or an EXR of half or float");
-}
-
-// Reads every row of a TIFF by itself: by whole images, the library passes strips whose checksum is wrong.
-bool read_rows(OIIO::ImageInput& image, OIIO::TypeDesc type, std::byte* pixels) {
-    const OIIO::ImageSpec spec = image.spec();
-    const std::size_t row_bytes = static_cast<std::size_t>(spec.width * spec.nchannels) * type.size();
-    for (int y = 0; y < spec.height; ++y, pixels += row_bytes)
-        if (!image.read_scanline(spec.y + y, 0, type, pixels)) return false;
-    return true;
-}
-
-void read_pixels(const fs::path& path, OIIO::ImageInput& image, OIIO::TypeDesc type, std::byte* pixels) {
-    const OIIO::ImageSpec spec = image.spec();
-    const bool by_rows = std::string_view(image.format_name()) == "tiff" && spec.tile_width == 0;
-    const bool read =
-        by_rows ? read_rows(image, type, pixels) : image.read_image(0, 0, 0, spec.nchannels, type, pixels);
-    // The library can also note an error and go on with zeros.
-    if (!read || image.has_error()) fail(path, "cut off or damaged: " + library_error(image.geterror()));
-    if (image.seek_subimage(1, 0) || image.seek_subimage(0, 1))
-        fail(path, "holds several images or levels; a map is a file with one");
 }
 
 template <typename Value>
@@ -145,9 +91,8 @@ bool is_float(MapFormat format) {
 }
 
 MapInfo map_info(const fs::path& path) {
-    check_file(path);
-    const auto image = open_image(path);
-    check_spec(path, *image);
+    check_file(map_name(path));
+    const auto image = open_image(map_name(path));
     const OIIO::ImageSpec& spec = image->spec();
     MapInfo info{spec.width, spec.height, 0, format_in(path, *image)};
     info.bytes_per_texel =
@@ -158,10 +103,9 @@ MapInfo map_info(const fs::path& path) {
 LoadedMap load_map(const fs::path& path, MapRange range) {
     if (!(range.low < range.high) || !std::isfinite(range.high - range.low))
         fail(path, "the range's low must be below its high, both finite");
-    check_file(path);
-    const PngCheck check = check_content(path);
-    const auto image = open_image(path);
-    check_spec(path, *image);
+    check_file(map_name(path));
+    const PngCheck check = check_content(map_name(path));
+    const auto image = open_image(map_name(path));
     auto origin = std::make_shared<MapOrigin>();
     origin->format = format_in(path, *image);
     origin->range = range;
@@ -176,7 +120,7 @@ LoadedMap load_map(const fs::path& path, MapRange range) {
     }
     const std::size_t pixel_bytes = origin->spec.pixel_bytes(true);
     origin->pixels.resize(origin->spec.image_pixels() * pixel_bytes);
-    read_pixels(path, *image,
+    read_pixels(map_name(path), *image,
                 is_float(origin->format) ? OIIO::TypeDesc(OIIO::TypeDesc::UNKNOWN) : origin->spec.format,
                 origin->pixels.data());
     HeightMap map = counts_of(path, *origin, pixel_bytes);

@@ -1,14 +1,13 @@
 // Saving displacement maps: encoded in memory by OpenImageIO, then written atomically.
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/half.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <stdexcept>
 #include <string>
 
 #include "brushes/atomic_file.h"
+#include "brushes/image_write.h"
 #include "brushes/map_origin.h"
 
 namespace relievo {
@@ -37,35 +36,8 @@ OIIO::TypeDesc type_of(MapFormat format) {
     return format == MapFormat::exr_half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
 }
 
-// Metadata that describes how the old file was encoded, not what it shows.
-bool is_encoding(std::string_view name) {
-    constexpr std::array kNames{"oiio:BitsPerSample", "tiff:PhotometricInterpretation",
-                                "tiff:ColorSpace",    "tiff:bitspersample",
-                                "jpeg:subsampling",   "oiio:subimages"};
-    return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
-}
-
-// Belongs to one file format or to its colour channels; means nothing, or something else, in another.
-bool is_format_bound(std::string_view name) {
-    constexpr std::array<std::string_view, 7> kPrefixes{
-        "ICCProfile", "png:", "tiff:", "openexr:", "compression", "planarconfig", "oiio:"};
-    return std::any_of(kPrefixes.begin(), kPrefixes.end(),
-                       [&](std::string_view p) { return name.starts_with(p); });
-}
-
-void make_lossless(OIIO::ImageSpec& spec) {
-    constexpr std::array<std::string_view, 7> kLossy{"jpeg", "b44",   "b44a",    "dwaa",
-                                                     "dwab", "pxr24", "ccittrle"};
-    const std::string compression = spec.get_string_attribute("compression");
-    const std::string_view kind = std::string_view(compression).substr(0, compression.find(':'));
-    if (std::find(kLossy.begin(), kLossy.end(), kind) != kLossy.end()) spec.attribute("compression", "zip");
-}
-
-// The writers of TIFF and EXR stamp the hour on a file that has no date, and the same map would give other bytes
-// every second. This is EXIF's way of writing that the date is not known.
-void stop_the_clock(OIIO::ImageSpec& spec, MapFormat format) {
-    const bool stamped = format == MapFormat::tiff16 || is_float(format);
-    if (stamped && !spec.find_attribute("DateTime")) spec.attribute("DateTime", "    :  :     :  :  ");
+bool stamped(MapFormat format) {
+    return format == MapFormat::tiff16 || is_float(format);
 }
 
 OIIO::ImageSpec spec_for(const HeightMap& map, MapFormat format, const MapOrigin* origin, bool same_layout) {
@@ -73,17 +45,11 @@ OIIO::ImageSpec spec_for(const HeightMap& map, MapFormat format, const MapOrigin
     if (is_float(format)) spec.channelnames = {"Y"};
     if (same_layout) spec = origin->spec;
     if (!origin) {
-        stop_the_clock(spec, format);
+        if (stamped(format)) stop_the_clock(spec);
         return spec;
     }
-    spec.extra_attribs.clear();
-    for (const OIIO::ParamValue& attribute : origin->spec.extra_attribs) {
-        const std::string_view name(attribute.name().data(), attribute.name().size());
-        if (is_encoding(name) || (origin->format != format && is_format_bound(name))) continue;
-        spec.extra_attribs.push_back(attribute);
-    }
-    make_lossless(spec);
-    stop_the_clock(spec, format);
+    keep_metadata(spec, origin->spec, origin->format == format);
+    if (stamped(format)) stop_the_clock(spec);
     return spec;
 }
 
@@ -153,22 +119,6 @@ void repeat_first_channel(std::vector<std::byte>& pixels, const OIIO::ImageSpec&
     }
 }
 
-std::vector<unsigned char> encoded(const fs::path& path, MapFormat format, const OIIO::ImageSpec& spec,
-                                   const std::vector<std::byte>& pixels) {
-    std::vector<unsigned char> file;
-    OIIO::Filesystem::IOVecOutput memory(file);
-    const auto writer = OIIO::ImageOutput::create(writer_name(format));
-    if (!writer) fail(path, "OpenImageIO was built without " + std::string(writer_name(format)));
-    writer->set_ioproxy(&memory);
-    const OIIO::TypeDesc type =
-        spec.channelformats.empty() ? spec.format : OIIO::TypeDesc(OIIO::TypeDesc::UNKNOWN);
-    // The name only serves the writer's messages: the bytes go to memory.
-    if (!writer->open(path.filename().string(), spec) || !writer->write_image(type, pixels.data()) ||
-        !writer->close())
-        fail(path, writer->geterror());
-    return file;
-}
-
 }  // namespace
 
 MapFormat format_of(const fs::path& path) {
@@ -190,7 +140,7 @@ void save_map(const HeightMap& map, const fs::path& path, MapFormat format, MapR
     const OIIO::ImageSpec spec = spec_for(map, format, origin, same_layout);
     std::vector<std::byte> pixels = pixels_for(map, format, range, origin, spec, same_layout);
     if (same_layout) repeat_first_channel(pixels, spec, origin->repeats);
-    const std::vector<unsigned char> file = encoded(path, format, spec, pixels);
+    const std::vector<unsigned char> file = encoded_image(path, "map", writer_name(format), spec, pixels);
     pixels = {};
     write_file_atomically(path, std::as_bytes(std::span(file)));
 }

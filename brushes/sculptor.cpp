@@ -8,9 +8,11 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "brushes/dab_tools.h"
 #include "brushes/mask_blur.h"
+#include "brushes/paint_stroke.h"
 #include "brushes/seams.h"
 #include "brushes/stroke_tiles.h"
 #include "brushes/symmetry.h"
@@ -44,7 +46,16 @@ struct Sculptor::State {
     }
 
     Layer layer() const { return brush.tool == Tool::mask ? Layer::mask : Layer::height; }
-    HeightMap& map_of(Layer which) { return which == Layer::mask ? need_mask() : map; }
+    HeightMap& map_of(Layer which) {
+        switch (which) {
+            case Layer::height:
+                return map;
+            case Layer::mask:
+                return need_mask();
+            default:
+                return colours->plane(static_cast<std::size_t>(which) - static_cast<std::size_t>(Layer::red));
+        }
+    }
     HeightMap& need_mask() {
         if (!mask) mask.emplace(map.width(), map.height(), std::uint16_t{0});
         return *mask;
@@ -52,6 +63,9 @@ struct Sculptor::State {
     // What protects texels from the stroke's tool.
     const HeightMap* protection() const { return layer() == Layer::height && mask ? &*mask : nullptr; }
     std::vector<TexelRect> shown(std::vector<TexelRect> rects, Layer which);
+    void note_painted(std::vector<TexelRect> rects) {
+        painted.insert(painted.end(), rects.begin(), rects.end());
+    }
 
     void start(const Brush& the_brush, std::shared_ptr<const Alpha> the_alpha);
     void check(const Dab& dab) const;
@@ -62,6 +76,7 @@ struct Sculptor::State {
     void apply(const Dab& dab, Points copies, Points sources);
     void apply_step(const Dab& dab, Points copies, Points sources, glm::vec3 drag);
     std::vector<TexelRect> take(bool redo);
+    void push_step();
     void change_mask(const std::function<void(HeightMap&)>& change);
 
     HeightMap& map;
@@ -73,6 +88,9 @@ struct Sculptor::State {
     Brush brush;
     std::shared_ptr<const Alpha> alpha;
     std::optional<StrokeTiles> stroke;  // over the brush's layer
+    std::optional<PaintStroke> paint;   // where the stroke paints
+    ColourMap* colours = nullptr;
+    std::vector<TexelRect> painted;  // since take_painted(), each within one tile
     std::vector<Branch> branches;
     glm::vec3 last_drag{0};   // world units
     std::size_t clipped = 0;  // of the last stroke
@@ -97,6 +115,9 @@ void Sculptor::State::start(const Brush& the_brush, std::shared_ptr<const Alpha>
     }
     last_drag = glm::vec3(0);
     stroke.emplace(map_of(layer()));
+    paint.reset();
+    if (paints(brush))
+        paint.emplace(brush, brush.tool == Tool::stamp ? alpha.get() : nullptr, *colours, seams);
 }
 
 void Sculptor::State::check(const FacePoint& point) const {
@@ -152,26 +173,6 @@ std::vector<float> shares(const std::vector<glm::dvec3>& centres, double radius)
     return parts;
 }
 
-// Writes the changes of a dab's copies, in any order to the same effect.
-void apply_together(std::vector<TexelChange> changes, bool add_up, StrokeTiles& stroke) {
-    std::stable_sort(changes.begin(), changes.end(), [](const TexelChange& a, const TexelChange& b) {
-        return a.y != b.y ? a.y < b.y : a.x < b.x;
-    });
-    for (std::size_t i = 0; i < changes.size();) {
-        const TexelChange first = changes[i];
-        double sum = 0;
-        float largest = 0;
-        std::size_t count = 0;
-        for (; i < changes.size() && changes[i].x == first.x && changes[i].y == first.y; ++i, ++count) {
-            const float step = changes[i].to - changes[i].from;
-            sum += double{step};
-            if (std::abs(step) > std::abs(largest) || (step == -largest && step > 0)) largest = step;
-        }
-        const float together = first.from + (add_up ? static_cast<float>(sum) : largest);
-        stroke.set_change(first.x, first.y, count == 1 ? first.to : together);
-    }
-}
-
 }  // namespace
 
 void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, glm::vec3 drag) {
@@ -186,6 +187,16 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
         centres.push_back(seen(branches[i], point));
         places.emplace_back(seen({}, point).position);
     }
+    const glm::vec3 hand =
+        glm::vec3(dab.drag[0], dab.drag[1], dab.drag[2]) / static_cast<float>(Dab::kDragOne);
+    if (paint) {
+        std::vector<PaintStroke::Place> hands;
+        for (std::size_t i = 0; i < branches.size(); ++i)
+            hands.push_back({surface_of(branches[i]), centres[i], radius, hand});
+        paint->dab(hands, pressure, protection());
+        note_painted(paint->take_dirty());
+    }
+    if (!sculpts(brush)) return;
     const bool add_up = adds_up(brush);
     const std::vector<float> share =
         add_up ? shares(places, double{radius}) : std::vector<float>(branches.size(), 1.0f);
@@ -196,7 +207,7 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
         if (!(glm::length(motion) < kJump * brush.radius)) motion = glm::vec3(0);
         branch.last_place = centres[i].position;
         DabPlace place{centres[i], pressure, radius, motion, drag, share[i], branch.hold};
-        place.hand = glm::vec3(dab.drag[0], dab.drag[1], dab.drag[2]) / static_cast<float>(Dab::kDragOne);
+        place.hand = hand;
         place.alpha = alpha.get();
         const SurfacePoint source = sources.empty() ? SurfacePoint() : seen(branch, sources[i]);
         if (!sources.empty()) place.source = &source;
@@ -209,10 +220,21 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
 }
 
 std::vector<TexelRect> Sculptor::State::take(bool redo) {
-    if (redo ? !undo.can_redo() : !undo.can_undo()) return {};
-    const Layer which = redo ? undo.next_redo() : undo.next_undo();
-    if (which == Layer::height) clipped = 0;  // no longer of the map's last change
-    return shown(redo ? undo.redo(map_of(which)) : undo.undo(map_of(which)), which);
+    const LayerMaps maps = [this](Layer which) -> HeightMap& { return map_of(which); };
+    std::vector<TexelRect> heights, masks;
+    for (const auto& [which, rect] : redo ? undo.redo(maps) : undo.undo(maps))
+        (which == Layer::height ? heights : which == Layer::mask ? masks : painted).push_back(rect);
+    if (!heights.empty()) clipped = 0;  // no longer of the map's last change
+    shown(std::move(masks), Layer::mask);
+    return shown(std::move(heights), Layer::height);
+}
+
+void Sculptor::State::push_step() {
+    std::vector<LayerStroke> parts{{*stroke, map_of(layer()), layer()}};
+    constexpr Layer kPlanes[] = {Layer::red, Layer::green, Layer::blue};
+    for (std::size_t k = 0; paint && k < std::size(kPlanes); ++k)
+        parts.push_back({paint->plane(k), colours->plane(k), kPlanes[k]});
+    undo.push(parts);
 }
 
 void Sculptor::State::change_mask(const std::function<void(HeightMap&)>& change) {
@@ -231,6 +253,8 @@ Sculptor::~Sculptor() = default;
 void Sculptor::begin(const Brush& brush, std::shared_ptr<const Alpha> alpha) {
     state_->require_stroke(false, "begin");
     check_brush(brush);
+    if (paints(brush) && !state_->colours)
+        throw std::invalid_argument("painting needs a colour map: make one first");
     state_->start(brush, std::move(alpha));
 }
 
@@ -258,18 +282,42 @@ std::vector<TexelRect> Sculptor::end() {
     const Layer layer = state_->layer();
     state_->seams.settle(stroke, state_->protection());
     std::vector<TexelRect> rects = state_->shown(stroke.take_dirty(), layer);
-    state_->undo.push(stroke, state_->map_of(layer), layer);
+    if (state_->paint) {
+        state_->paint->settle(state_->protection());
+        state_->note_painted(state_->paint->take_dirty());
+    }
+    state_->push_step();
     state_->clipped = layer == Layer::height ? stroke.clipped_texels() : 0;
     state_->stroke.reset();
+    state_->paint.reset();
     return rects;
 }
 
 std::vector<TexelRect> Sculptor::cancel() {
     state_->require_stroke(true, "cancel");
     std::vector<TexelRect> rects = state_->shown(state_->stroke->restore(), state_->layer());
+    if (state_->paint) state_->note_painted(state_->paint->restore());
     state_->clipped = 0;
     state_->stroke.reset();
+    state_->paint.reset();
     return rects;
+}
+
+void Sculptor::set_colours(ColourMap& colours) {
+    state_->require_stroke(false, "set_colours");
+    if (state_->colours) throw std::logic_error("Sculptor::set_colours: there is a colour map already");
+    const HeightMap& map = state_->map;
+    if (colours.width() != map.width() || colours.height() != map.height())
+        throw std::invalid_argument("the colour map has " + std::to_string(colours.width()) + " x " +
+                                    std::to_string(colours.height()) + " texels, the displacement map " +
+                                    std::to_string(map.width()) + " x " + std::to_string(map.height()) +
+                                    ": to be painted, it must have as many");
+    state_->colours = &colours;
+}
+
+std::vector<TexelRect> Sculptor::take_painted() {
+    const TileGrid grid(state_->map.width(), state_->map.height());
+    return merge_rects(joined_by_tile(std::exchange(state_->painted, {}), grid));
 }
 
 bool Sculptor::in_stroke() const {

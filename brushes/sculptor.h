@@ -1,4 +1,5 @@
-// Applies strokes to a height map on a surface: float accumulation, one quantisation, seams, undo tiles.
+// Applies strokes to a height map on a surface, and to a colour map of its size: float accumulation, one
+// quantisation, seams, undo tiles.
 #pragma once
 
 #include <memory>
@@ -7,6 +8,7 @@
 
 #include "brushes/alpha.h"
 #include "brushes/brush.h"
+#include "brushes/colour_map.h"
 #include "brushes/height_map.h"
 #include "brushes/surface.h"
 #include "brushes/texel_rect.h"
@@ -29,7 +31,10 @@ class Sculptor {
     //
     // During a stroke the map is the rounded float state, and seam copies hold after every dab; the equations
     // of slanted seams are solved by end(), until when their outer texels merely extend the island. Memory of
-    // a stroke: 25 KB for each 64 x 64 tile that it touches.
+    // a stroke: 25 KB for each 64 x 64 tile that it touches, and 75 KB where it paints.
+    //
+    // A stroke that paints (brush.h) changes the colour map as well or alone; take_painted() tells where.
+    // begin() throws std::invalid_argument where there is no colour map.
     //
     // A stroke of the mask tool changes the mask alone: its calls return no rectangles.
     //
@@ -48,6 +53,12 @@ class Sculptor {
     std::vector<TexelRect> cancel();
     bool in_stroke() const;
 
+    // The colour map that strokes paint, which outlives the sculptor. Throws std::invalid_argument where its
+    // size is not the height map's, std::logic_error in a stroke or where there is one already.
+    void set_colours(ColourMap& colours);
+    // Texels of the colour map that changed since the last call, as few rectangles that do not overlap.
+    std::vector<TexelRect> take_painted();
+
     // Steps of their own, like strokes. Throw std::logic_error in a stroke.
     void clear_mask();   // frees everything
     void invert_mask();  // protects what was free, and the other way round
@@ -59,7 +70,7 @@ class Sculptor {
 
     bool can_undo() const;
     bool can_redo() const;
-    std::vector<TexelRect> undo();  // the height map's; nothing to undo, or a step of the mask: empty
+    std::vector<TexelRect> undo();  // the height map's; nothing to undo, or a step of mask or colour: empty
     std::vector<TexelRect> redo();
     std::uint64_t steps_made()
         const;  // strokes so far that changed texels, whether their step is still held or not

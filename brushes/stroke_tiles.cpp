@@ -44,7 +44,9 @@ void StrokeTiles::set_change(int x, int y, float change) {
         tile.clipped.set(at);
     }
     tile.change[at] = held;
-    write(tile, grid_.tile_of(x, y), x, y, static_cast<std::uint16_t>(std::floor(before + held + 0.5f)));
+    const float count =
+        step_ == 1.0f ? std::floor(before + held + 0.5f) : step_ * std::floor((before + held) / step_ + 0.5f);
+    write(tile, grid_.tile_of(x, y), x, y, static_cast<std::uint16_t>(count));
 }
 
 void StrokeTiles::copy(int from_x, int from_y, int to_x, int to_y) {

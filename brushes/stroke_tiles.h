@@ -56,8 +56,12 @@ class StrokeTiles {
         TexelRect ever_dirty;                       // since the stroke began
     };
 
-    explicit StrokeTiles(HeightMap& map)
-        : map_(map), grid_(map.width(), map.height()), tiles_(grid_.count()) {}
+    // `step`: the map's texels are rounded to multiples of it.
+    explicit StrokeTiles(HeightMap& map, int step = 1)
+        : map_(map),
+          step_(static_cast<float>(step)),
+          grid_(map.width(), map.height()),
+          tiles_(grid_.count()) {}
 
     // Counts, unrounded, in [0, 65535].
     float value(int x, int y) const {
@@ -105,6 +109,7 @@ class StrokeTiles {
     void write(Tile& tile, std::uint32_t index, int x, int y, std::uint16_t count);
 
     HeightMap& map_;
+    float step_;
     TileGrid grid_;
     std::vector<std::unique_ptr<Tile>> tiles_;  // null: not touched
     std::vector<std::uint32_t> touched_, dirty_;

@@ -8,8 +8,9 @@ namespace relievo {
 // Only the part of `within` whose texels differ from those before: what a wandering stroke changed and
 // changed back, or never rounded to another count, needs no memory.
 template <typename Before>
-void UndoStack::add_patch(Step& step, const TexelRect& within, const HeightMap& map, Before before) {
-    Patch patch;
+void UndoStack::add_patch(Step& step, Layer layer, const TexelRect& within, const HeightMap& map,
+                          Before before) {
+    Patch patch{layer, {}, {}};
     for (int y = within.y0; y < within.y1; ++y)
         for (int x = within.x0; x < within.x1; ++x)
             if (before(x, y) != map.at(x, y)) patch.rect.include(x, y);
@@ -18,25 +19,24 @@ void UndoStack::add_patch(Step& step, const TexelRect& within, const HeightMap& 
     patch.texels.reserve(static_cast<std::size_t>(rect.area()));
     for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x) patch.texels.push_back(before(x, y));
-    step.bytes += sizeof(Patch) + patch.texels.size() * sizeof(std::uint16_t);
+    step.bytes += kPatchBytes + patch.texels.size() * sizeof(std::uint16_t);
     step.patches.push_back(std::move(patch));
 }
 
-void UndoStack::push(const StrokeTiles& stroke, const HeightMap& map, Layer layer) {
+void UndoStack::push(std::span<const LayerStroke> strokes) {
     Step step;
-    step.layer = layer;
-    for (const std::uint32_t index : stroke.touched())
-        add_patch(step, stroke.tile(index)->ever_dirty, map,
-                  [&](int x, int y) { return stroke.before(x, y); });
+    for (const auto& [stroke, map, layer] : strokes)
+        for (const std::uint32_t index : stroke.touched())
+            add_patch(step, layer, stroke.tile(index)->ever_dirty, map,
+                      [&before = stroke](int x, int y) { return before.before(x, y); });
     push_step(std::move(step));
 }
 
 void UndoStack::push(const HeightMap& before, const HeightMap& map, Layer layer) {
     Step step;
-    step.layer = layer;
     const TileGrid grid(map.width(), map.height());
     for (std::uint32_t tile = 0; tile < grid.count(); ++tile)
-        add_patch(step, grid.texels_of(tile), map, [&](int x, int y) { return before.at(x, y); });
+        add_patch(step, layer, grid.texels_of(tile), map, [&](int x, int y) { return before.at(x, y); });
     push_step(std::move(step));
 }
 
@@ -54,12 +54,14 @@ void UndoStack::push_step(Step step) {
     }
 }
 
-std::vector<TexelRect> UndoStack::move_step(std::deque<Step>& from, std::deque<Step>& to, HeightMap& map) {
-    std::vector<TexelRect> rects;
+std::vector<LayerRect> UndoStack::move_step(std::deque<Step>& from, std::deque<Step>& to,
+                                            const LayerMaps& map_of) {
+    std::vector<LayerRect> rects;
     if (from.empty()) return rects;
     Step step = std::move(from.back());
     from.pop_back();
     for (Patch& patch : step.patches) {
+        HeightMap& map = map_of(patch.layer);
         auto texel = patch.texels.begin();
         for (int y = patch.rect.y0; y < patch.rect.y1; ++y)
             for (int x = patch.rect.x0; x < patch.rect.x1; ++x, ++texel) {
@@ -67,7 +69,7 @@ std::vector<TexelRect> UndoStack::move_step(std::deque<Step>& from, std::deque<S
                 *texel = map.at(x, y);
                 map.set(x, y, other);
             }
-        rects.push_back(patch.rect);
+        rects.push_back({patch.layer, patch.rect});
     }
     to.push_back(std::move(step));
     return rects;

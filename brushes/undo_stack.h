@@ -1,10 +1,13 @@
 // Undo and redo under a byte budget. A step holds, for each 64 x 64 tile that a stroke changed, the changed
 // rectangle's texels on the other side of the step; applying it swaps them with the map's, which turns undo
-// into redo and back. Height map and mask share one stack: steps are taken back in the order they were made.
+// into redo and back. Height map, mask and the planes of the colour map share one stack: steps are taken back
+// in the order they were made, and a step that changed several of them is one.
 #pragma once
 
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "brushes/height_map.h"
@@ -13,44 +16,61 @@
 
 namespace relievo {
 
-enum class Layer : std::uint8_t { height, mask };
+enum class Layer : std::uint8_t { height, mask, red, green, blue };
+
+// What a stroke changed of one layer.
+struct LayerStroke {
+    const StrokeTiles& stroke;
+    const HeightMap& map;
+    Layer layer;
+};
+
+// Texels of one layer that changed, within one tile.
+struct LayerRect {
+    Layer layer;
+    TexelRect rect;
+};
+
+using LayerMaps = std::function<HeightMap&(Layer)>;
 
 class UndoStack {
   public:
     explicit UndoStack(std::size_t budget) : budget_(budget) {}
 
     // Takes the before-images of a finished stroke as one step, if it changed anything; redo is dropped then.
-    void push(const StrokeTiles& stroke, const HeightMap& map, Layer layer = Layer::height);
+    void push(std::span<const LayerStroke> strokes);
     // The same for a map that was changed as a whole. Requires equal sizes.
     void push(const HeightMap& before, const HeightMap& map, Layer layer);
 
     bool can_undo() const { return !undo_.empty(); }
     bool can_redo() const { return !redo_.empty(); }
-    // Which layer the next step changes. Requires can_undo() or can_redo().
-    Layer next_undo() const { return undo_.back().layer; }
-    Layer next_redo() const { return redo_.back().layer; }
-    // `map`: of that layer. The rectangles that changed, one a tile; none where there is no step.
-    std::vector<TexelRect> undo(HeightMap& map) { return move_step(undo_, redo_, map); }
-    std::vector<TexelRect> redo(HeightMap& map) { return move_step(redo_, undo_, map); }
+    // What changed, one rectangle a tile of a layer; nothing where there is no step.
+    std::vector<LayerRect> undo(const LayerMaps& map_of) { return move_step(undo_, redo_, map_of); }
+    std::vector<LayerRect> redo(const LayerMaps& map_of) { return move_step(redo_, undo_, map_of); }
 
     std::uint64_t pushed() const { return pushed_; }  // steps ever taken, dropped ones included
     std::size_t bytes() const { return bytes_; }
     std::size_t budget() const { return budget_; }
 
   private:
+    // Counted for a patch beside its texels. Fixed: a journal's replay must drop the steps that its session
+    // dropped.
+    static constexpr std::size_t kPatchBytes = 40;
     struct Patch {
+        Layer layer;
         TexelRect rect;
         std::vector<std::uint16_t> texels;
     };
     struct Step {
-        Layer layer = Layer::height;
         std::vector<Patch> patches;
         std::size_t bytes = 0;
     };
     template <typename Before>
-    static void add_patch(Step& step, const TexelRect& within, const HeightMap& map, Before before);
+    static void add_patch(Step& step, Layer layer, const TexelRect& within, const HeightMap& map,
+                          Before before);
     void push_step(Step step);
-    static std::vector<TexelRect> move_step(std::deque<Step>& from, std::deque<Step>& to, HeightMap& map);
+    static std::vector<LayerRect> move_step(std::deque<Step>& from, std::deque<Step>& to,
+                                            const LayerMaps& map_of);
 
     std::uint64_t pushed_ = 0;
     std::size_t budget_, bytes_ = 0;

@@ -32,6 +32,7 @@ constexpr std::array kBindings{
     Binding{gpu::kBindRayCounts, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
     Binding{gpu::kBindNotes, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
     Binding{gpu::kBindProcedural, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+    Binding{gpu::kBindAlbedo, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
 };
 static_assert(kBindings.size() == gpu::kBindCount);
 

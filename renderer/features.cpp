@@ -38,6 +38,12 @@ bool any_procedural(const Scene& scene) {
                        [](const SceneObject& o) { return o.displacement.procedural.has_value(); });
 }
 
+bool any_albedo_map(const Scene& scene, const FeatureRequest& request) {
+    return request.has_colours || std::any_of(scene.objects.begin(), scene.objects.end(), [](const SceneObject& o) {
+               return !o.material.albedo_map.empty();
+           });
+}
+
 }  // namespace
 
 Features derive_features(const Scene& scene, const FeatureRequest& request) {
@@ -51,6 +57,7 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.pyramid = all || request.method->needs_pyramid;
     f.true_shell = request.method->geometry == GeometryKind::surface_bounds;
     f.procedural = all || any_procedural(scene);
+    f.albedo_maps = all || any_albedo_map(scene, request);
     f.micro_triangles = request.method->geometry == GeometryKind::triangles;
     f.density = f.micro_triangles ? request.density : 0;
     f.searched = f.true_shell && (all || request.has_searched);
@@ -112,6 +119,8 @@ class Describer {
         add_needed("gloss", f.gloss, any_gloss(scene_), "a material has specular > 0", "no material has specular > 0");
         add_needed("opacity maps", f.opacity, any_opacity(scene_), "an object has an opacity map",
                    "no object has an opacity map");
+        add_needed("albedo maps", f.albedo_maps, any_albedo_map(scene_, request_), "a material's albedo is a map",
+                   "no material's albedo is a map");
         add("bounces and refraction", false, "this version traces camera and shadow rays");
     }
 

@@ -35,6 +35,7 @@ struct Features {
     bool pyramid = false;        // min-max pyramid of the map on the device
     bool true_shell = false;     // boxes and clipping hold S itself, not only the parallel prism's surface
     bool procedural = false;     // heights made of an exemplar
+    bool albedo_maps = false;    // a material's albedo is a map
     bool micro_triangles = false; // S made of triangles in advance
     double density = 0;          // of them, segments a texel
     bool searched = false;       // search of triangles whose shell folds
@@ -50,6 +51,7 @@ struct FeatureRequest {
     bool path_asked_for = false;            // not the device's own choice
     double density = 0;                     // the method's parameter of that name, 0 where it has none
     bool has_searched = false;              // a triangle is flagged kPrimitiveSearched
+    bool has_colours = false;               // an albedo map was given, whether the scene names a file or not
 };
 
 Features derive_features(const Scene& scene, const FeatureRequest& request);

@@ -83,7 +83,8 @@ VkBufferImageCopy image_copy(const TexelRegion& r, VkDeviceSize offset) {
 }  // namespace
 
 GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const Scene& scene,
-                   std::span<const HeightView> maps, const Features& features, const std::vector<Mesh>& meshes)
+                   std::span<const HeightView> maps, std::span<const ColourView> colours, const Features& features,
+                   const std::vector<Mesh>& meshes)
     : context_(context), commands_(commands), meets_surface_(features.true_shell) {
     std::vector<gpu::Primitive> primitives;
     objects_.reserve(scene.objects.size());
@@ -91,6 +92,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         objects_.emplace_back();
         objects_.back().mesh = meshes[i];
         add_object(scene.objects[i], maps[i], features, primitives);
+        objects_.back().albedo = AlbedoImage(context, commands, colours[i], objects_.back().wrap == Wrap::clamp);
     }
     if (primitives.empty()) throw std::invalid_argument(scene.path.string() + ": no triangle of the scene has an area");
     std::vector<Box> boxes;
@@ -126,6 +128,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         data.midlevel = static_cast<float>(objects_[i].midlevel);
         data.map_size = {maps[i].width, maps[i].height};
         data.radius = objects_[i].mesh.sphere_radius;
+        data.albedo_map = objects_[i].albedo.is_map() ? 1 : 0;
         data.clamp_wrap = objects_[i].wrap == Wrap::clamp ? 1 : 0;
         set_material(i, scene.objects[i].material);
     }
@@ -245,6 +248,16 @@ void GpuScene::load_opacity(const SceneObject& description, Object& object, bool
         object.opacity.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                   VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
+}
+
+void GpuScene::upload_colours(std::size_t index, const ColourView& colours, std::span<const TexelRegion> regions) {
+    objects_.at(index).albedo.upload(context_, commands_, staging_, colours, regions);
+}
+
+void GpuScene::set_colours(std::size_t index, const ColourView& colours) {
+    Object& object = objects_.at(index);
+    object.albedo = AlbedoImage(context_, commands_, colours, object.wrap == Wrap::clamp);
+    object_data_.as<gpu::ObjectData>()[index].albedo_map = 1;
 }
 
 void GpuScene::set_bounds(const Object& object, std::uint32_t face, gpu::Primitive& primitive) const {
@@ -410,10 +423,11 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
         VkDescriptorBufferInfo{normals_.get(), 0, VK_WHOLE_SIZE},
         VkDescriptorBufferInfo{object_data_.get(), 0, VK_WHOLE_SIZE},
         VkDescriptorBufferInfo{procedural_.get(), 0, VK_WHOLE_SIZE}};
-    std::vector<VkDescriptorImageInfo> maps, opacities, pyramids;
+    std::vector<VkDescriptorImageInfo> maps, opacities, pyramids, albedos;
     for (const Object& o : objects_) {
         maps.push_back({o.map_sampler.get(), o.map.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
         pyramids.push_back({o.map_sampler.get(), o.pyramid_image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        albedos.push_back(o.albedo.descriptor());
         opacities.push_back({o.opacity_sampler.get(), o.opacity.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
     }
     std::vector<VkWriteDescriptorSet> writes;
@@ -434,6 +448,7 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
     add(gpu::kBindMaps, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, maps.size()).pImageInfo = maps.data();
     add(gpu::kBindOpacity, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, opacities.size()).pImageInfo = opacities.data();
     add(gpu::kBindPyramids, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, pyramids.size()).pImageInfo = pyramids.data();
+    add(gpu::kBindAlbedo, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, albedos.size()).pImageInfo = albedos.data();
     vkUpdateDescriptorSets(context_.device(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
 }
 
@@ -456,6 +471,12 @@ std::uint64_t GpuScene::procedural_bytes() const {
 std::uint64_t GpuScene::pyramid_bytes() const {
     std::uint64_t sum = 0;
     for (const Object& o : objects_) sum += o.pyramid ? o.pyramid_image.bytes() : 0;
+    return sum;
+}
+
+std::uint64_t GpuScene::albedo_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Object& o : objects_) sum += o.albedo.bytes();
     return sum;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "renderer/albedo_image.h"
 #include "renderer/box_tree.h"
 #include "renderer/features.h"
 #include "renderer/height_pyramid.h"
@@ -25,9 +26,12 @@ class GpuScene {
   public:
     // Builds everything from one mesh an object, as traced (creases mended where the method wants it).
     GpuScene(vulkan::Context& context, vulkan::Commands& commands, const Scene& scene,
-             std::span<const HeightView> maps, const Features& features, const std::vector<Mesh>& meshes);
+             std::span<const HeightView> maps, std::span<const ColourView> colours, const Features& features,
+             const std::vector<Mesh>& meshes);
 
     UploadStats upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions);
+    void upload_colours(std::size_t object, const ColourView& colours, std::span<const TexelRegion> regions);
+    void set_colours(std::size_t object, const ColourView& colours);
     void set_displacement(std::size_t object, double amplitude, double midlevel);
     void set_material(std::size_t object, const Material& material);
     void set_ray_offset(double fraction_of_radius);
@@ -41,7 +45,7 @@ class GpuScene {
     VkDeviceAddress micro_triangles() const { return micro_ ? micro_->triangles() : 0; }
     std::uint64_t micro_bytes() const { return micro_ ? micro_->bytes() : 0; }
 
-    // Writes bindings TLAS (where there is one), primitives, normals, objects, maps, opacity.
+    // Writes bindings TLAS (where there is one), primitives, normals, objects, maps, opacity, albedo.
     void write_bindings(VkDescriptorSet set) const;
 
     // Whether a triangle's shell folds, or ever did, so that methods search it (kPrimitiveSearched).
@@ -52,6 +56,7 @@ class GpuScene {
     std::uint64_t map_bytes() const;
     std::uint64_t procedural_bytes() const;
     std::uint64_t opacity_bytes() const;
+    std::uint64_t albedo_bytes() const;
     std::uint64_t pyramid_bytes() const;
     std::uint64_t staging_bytes() const { return staging_.bytes(); }  // since the first edit; 0 before
 
@@ -66,6 +71,7 @@ class GpuScene {
         std::unique_ptr<ProceduralSource> source;  // of procedural heights; then bounds and lookup are not there, and
         vulkan::Buffer inverse;                    // the map is the Gaussianised exemplar
         vulkan::Image map, opacity, pyramid_image;
+        AlbedoImage albedo;
         vulkan::SamplerHandle map_sampler, opacity_sampler;
         Wrap wrap = Wrap::repeat;
         double amplitude = 0, midlevel = 0;

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "renderer/albedo_file.h"
 #include "renderer/bindings.h"
 #include "renderer/features.h"
 #include "renderer/film.h"
@@ -76,6 +77,8 @@ struct Renderer::State {
     VkDescriptorSet set = VK_NULL_HANDLE;
     vulkan::Passes passes;
     FeatureReport report;
+    std::vector<AlbedoFile> albedo_files;  // of the objects that were given no colours; another method uploads them again
+    std::vector<ColourView> colours;       // one an object; empty: none
     std::vector<HeightView> maps;  // as last uploaded: another method may need other structures over them
     int samples = 0;
     bool aov_is_fresh = false, counts_are_fresh = false;
@@ -92,6 +95,7 @@ struct Renderer::State {
     }
     void build();
     void build_scene();
+    void load_albedo_files();
     void rebuild_for(const Method& method);
     void write_addresses();
     void make_set();
@@ -105,6 +109,16 @@ struct Renderer::State {
     void restart();
 };
 
+void Renderer::State::load_albedo_files() {
+    albedo_files.reserve(colours.size());  // views point into them
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        const std::filesystem::path& file = scene.objects[i].material.albedo_map;
+        if (!colours[i].empty() || file.empty()) continue;
+        albedo_files.push_back(load_albedo_file(file));
+        colours[i] = albedo_files.back().view();
+    }
+}
+
 void Renderer::State::build_scene() {
     request.has_searched = false;
     const auto density = parameters.find("density");
@@ -112,10 +126,10 @@ void Renderer::State::build_scene() {
     features = derive_features(scene, request);
     const std::vector<Mesh> meshes = mended.traced(features.mended_creases);
     if (features.micro_triangles) {  // may be refused: then what was there must not be gone
-        GpuScene fresh(context, commands, scene, maps, features, meshes);
+        GpuScene fresh(context, commands, scene, maps, colours, features, meshes);
         gpu_scene.emplace(std::move(fresh));
     } else {
-        gpu_scene.emplace(context, commands, scene, maps, features, meshes);
+        gpu_scene.emplace(context, commands, scene, maps, colours, features, meshes);
     }
     request.has_searched = gpu_scene->any_searched();
     features = derive_features(scene, request);
@@ -132,6 +146,7 @@ void Renderer::State::rebuild_for(const Method& m) {
 void Renderer::State::build() {
     request = {method, settings.everything, mended.any(),
                resolve_trace_path(settings.path, context.info()), settings.path != TracePath::automatic};
+    request.has_colours = std::any_of(colours.begin(), colours.end(), [](const ColourView& c) { return !c.empty(); });
     build_scene();
     film = Film(context, commands, settings.width, settings.height);
     frame = vulkan::Buffer(context, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Access::host);
@@ -187,6 +202,7 @@ void Renderer::State::make_passes() {
     constants[gpu::kSpecSky] = features.sky ? 1 : 0;
     constants[gpu::kSpecSearch] = features.searched ? 1 : 0;
     constants[gpu::kSpecProcedural] = features.procedural ? 1 : 0;
+    constants[gpu::kSpecAlbedo] = features.albedo_maps ? 1 : 0;
     passes = vulkan::Passes(context, set_layout.get(), method->name, features.path, constants);
 }
 
@@ -245,6 +261,7 @@ void Renderer::State::count_bytes() {
         if (f.name == "procedural heights" && f.built) f.bytes = gpu_scene->procedural_bytes();
         if (f.name == "min-max pyramid") f.bytes = gpu_scene->pyramid_bytes();
         if (f.name == "opacity maps" && f.built) f.bytes = gpu_scene->opacity_bytes();
+        if (f.name == "albedo maps" && f.built) f.bytes = gpu_scene->albedo_bytes();
         if (f.name == "image") f.bytes = film.image_bytes();
         const auto on_demand = [&](const char* name, bool built, const char* reason, std::uint64_t bytes) {
             if (!built || f.name != name) return;
@@ -262,12 +279,18 @@ void Renderer::State::count_bytes() {
 }
 
 Renderer::Renderer(vulkan::Context& context, const Scene& scene, std::span<const HeightView> maps,
-                   const RenderSettings& settings)
+                   const RenderSettings& settings, std::span<const ColourView> colours)
     : state_(std::make_unique<State>(context, scene, settings)) {
     if (maps.size() != scene.objects.size()) throw std::logic_error("one map per object");
+    if (!colours.empty() && colours.size() != maps.size()) throw std::logic_error("one albedo map per object, or none");
     check_size(context, settings.width, settings.height, "an image");
     Film::check_size(context, settings.width, settings.height);
     for (const HeightView& map : maps) check_size(context, map.width, map.height, "a map");
+    state_->colours.assign(colours.begin(), colours.end());
+    state_->colours.resize(maps.size());
+    state_->load_albedo_files();
+    for (const ColourView& c : state_->colours)
+        if (!c.empty()) check_size(context, c.width, c.height, "an albedo map");
     state_->maps.assign(maps.begin(), maps.end());
     state_->build();
 }
@@ -280,6 +303,26 @@ UploadStats Renderer::upload(std::size_t object, const HeightView& map, std::spa
     const UploadStats stats = state_->gpu_scene->upload(object, map, regions);
     state_->follow_search();
     return stats;
+}
+
+void Renderer::upload_colours(std::size_t object, const ColourView& colours, std::span<const TexelRegion> regions) {
+    state_->colours.at(object) = colours;
+    state_->gpu_scene->upload_colours(object, colours, regions);
+}
+
+void Renderer::set_colours(std::size_t object, const ColourView& colours) {
+    State& s = *state_;
+    check_size(s.context, colours.width, colours.height, "an albedo map");
+    s.colours.at(object) = colours;
+    s.gpu_scene->set_colours(object, colours);
+    s.gpu_scene->write_bindings(s.set);
+    s.request.has_colours = true;
+    const Features fresh = derive_features(s.scene, s.request);
+    if (fresh != s.features) {
+        s.features = fresh;
+        s.make_passes();
+    }
+    s.restart();
 }
 
 void Renderer::set_camera(const Camera& camera) {

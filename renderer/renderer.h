@@ -1,6 +1,7 @@
 // The renderer's public face: upload, render, read back, pick. Everything Vulkan is behind it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
@@ -24,6 +25,15 @@ class Context;
 struct HeightView {
     int width = 0, height = 0;
     const std::uint16_t* texels = nullptr;
+};
+
+// An albedo map as the renderer reads it: planes of red, green and blue, each texel 0 to 65535 for the sRGB-encoded values
+// 0 to 1; row 0 is v = 0. The caller keeps the texels of the last upload alive as long as the renderer.
+struct ColourView {
+    int width = 0, height = 0;
+    int bits = 8;  // of a channel on the device: with 8, texels are rounded to the nearest of 256 values; else 16
+    std::array<const std::uint16_t*, 3> planes{};
+    bool empty() const { return width == 0; }
 };
 
 struct TexelRegion {  // half-open
@@ -100,8 +110,10 @@ class Renderer {
   public:
     // One HeightView per scene object. Throws std::runtime_error on Vulkan failures, std::invalid_argument on a
     // method or parameter that the registry does not know, or a map or an image larger than the device takes.
+    // `colours`: none, or one an object; where it is empty, the file that the material names is read, if it names one
+    // (std::invalid_argument as load_albedo_file).
     Renderer(vulkan::Context& context, const Scene& scene, std::span<const HeightView> maps,
-             const RenderSettings& settings);
+             const RenderSettings& settings, std::span<const ColourView> colours = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -109,11 +121,16 @@ class Renderer {
     // Copies texels of the regions into the object's image and keeps its triangles' bounds true. Nothing is rebuilt.
     UploadStats upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions);
 
+    // The same of the object's albedo map, which must have been given; of its size.
+    void upload_colours(std::size_t object, const ColourView& colours, std::span<const TexelRegion> regions);
+
     // Each of these restarts the accumulation of the whole image.
     void set_camera(const Camera& camera);
     void set_lights(const std::vector<Light>& lights, const Environment& environment);
     void set_material(std::size_t object, const Material& material);
     void set_displacement(std::size_t object, double amplitude, double midlevel);  // new bounds for all triangles
+    // An albedo map for an object, in the place of its albedo or of another map.
+    void set_colours(std::size_t object, const ColourView& colours);
     // Other heights for an object: another map, an exemplar, or the same one otherwise read. Makes the device's scene anew.
     void set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights);
     // std::invalid_argument where the method refuses what it would have to build (too many micro-triangles); then all

@@ -62,6 +62,7 @@ struct ObjectData {
     float radius;     // bounding sphere of the base mesh, world units: the unit of dt
     uint clamp_wrap;  // 1: clamp, 0: repeat
     float ray_offset; // world units: secondary rays start this far along the normal
+    uint albedo_map;  // 1: the albedo is that of the object's map
 };
 
 // A procedural height source (geometry/procedural.glsl), one an object. Lattice coordinates are 32.32 fixed point, two's
@@ -199,7 +200,8 @@ RELIEVO_CONST uint kBindPyramids = 13u;  // min-max pyramids of the maps, where 
 RELIEVO_CONST uint kBindRayCounts = 14u;  // uvec4 a pixel: boxes, steps, fetches, cells of the primary ray
 RELIEVO_CONST uint kBindNotes = 15u;      // of one ray: their number, then the notes
 RELIEVO_CONST uint kBindProcedural = 16u;  // ProceduralData, one an object
-RELIEVO_CONST uint kBindCount = 17u;
+RELIEVO_CONST uint kBindAlbedo = 17u;      // combined image samplers, one an object
+RELIEVO_CONST uint kBindCount = 18u;
 RELIEVO_CONST int kPyramidLevels = 7;    // levels 1..7 of the pyramid are the image's mips 0..6
 
 // Specialisation constants: what features.cpp derived.
@@ -211,7 +213,8 @@ RELIEVO_CONST uint kSpecSky = 4u;       // sky light with visibility rays
 RELIEVO_CONST uint kSpecNotes = 5u;     // kNotesNone, kNotesCounts or kNotesLog
 RELIEVO_CONST uint kSpecSearch = 6u;    // triangles flagged kPrimitiveSearched are there
 RELIEVO_CONST uint kSpecProcedural = 7u;  // procedural height sources are there
-RELIEVO_CONST uint kSpecCount = 8u;
+RELIEVO_CONST uint kSpecAlbedo = 8u;      // albedo maps are there
+RELIEVO_CONST uint kSpecCount = 9u;
 RELIEVO_CONST uint kNotesNone = 0u, kNotesCounts = 1u, kNotesLog = 2u;
 
 RELIEVO_CONST uint kGroupWidth = 8u;  // pixels a side of a compute workgroup
@@ -219,7 +222,7 @@ RELIEVO_CONST uint kGroupWidth = 8u;  // pixels a side of a compute workgroup
 #ifdef __cplusplus
 static_assert(sizeof(Primitive) == 128);
 static_assert(sizeof(PrimitiveNormals) == 36);
-static_assert(sizeof(ObjectData) == 48);
+static_assert(sizeof(ObjectData) == 52);
 static_assert(sizeof(ProceduralData) == 80);
 static_assert(sizeof(BvhNode) == 64);  // a cache line
 static_assert(sizeof(LightData) == 32);

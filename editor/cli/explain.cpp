@@ -37,6 +37,8 @@ Json objects_json(const Subject& subject) {
         Json one{{"mesh", object.mesh_path.string()}, {"triangles", object.mesh.faces.size()}};
         one["map"] = object.displacement.map.empty() ? Json(nullptr) : Json(object.displacement.map.string());
         one["opacity_map"] = object.opacity_map.empty() ? Json(nullptr) : Json(object.opacity_map.string());
+        const std::filesystem::path& albedo = object.material.albedo_map;
+        one["albedo_map"] = albedo.empty() ? Json(nullptr) : Json(albedo.string());
         objects.push_back(std::move(one));
     }
     return objects;

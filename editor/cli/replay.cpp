@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "brushes/colour_file.h"
 #include "editor/cli/progress.h"
 #include "editor/cli/verbs.h"
 #include "editor/session/image_file.h"
@@ -18,7 +19,7 @@ namespace relievo {
 namespace {
 
 struct ReplayVerb {
-    std::string journal, map_out, render, render_before, scene, map;
+    std::string journal, map_out, colour_out, render, render_before, scene, map, colour_map;
     bool force = false, timings = false, live = false;
     CommonOptions common;
     MethodOptions method;
@@ -30,6 +31,10 @@ void check_outputs(const ReplayVerb& verb) {
     if (!verb.map_out.empty()) {
         format_of(verb.map_out);
         check_writable(verb.map_out);
+    }
+    if (!verb.colour_out.empty()) {
+        check_colour_path(verb.colour_out);
+        check_writable(verb.colour_out);
     }
     if (!verb.render.empty()) check_render_output(verb.render, {});
     if (!verb.render_before.empty()) check_render_output(verb.render_before, {});
@@ -47,6 +52,7 @@ SessionOptions options_of(const ReplayVerb& verb, const Journal& journal) {
     options.with_renderer =
         verb.live || !verb.render.empty() || !verb.render_before.empty() || needs_renderer(journal);
     options.map = verb.map;
+    options.colour_map = verb.colour_map;
     if (journal.header.undo_budget)
         options.undo_budget = static_cast<std::size_t>(*journal.header.undo_budget);
     return options;
@@ -80,6 +86,8 @@ void print_json(const ReplayVerb& verb, const Session& session, const ReplayRepo
                                   {"expectations", report.expectations},
                                   {"failures", report.failures},
                                   {"seconds", seconds}};
+    if (session.colours()) result["colour_hash"] = hash_text(session.colours()->hash());
+    if (!verb.colour_out.empty()) result["colour_map"] = verb.colour_out;
     if (!verb.map_out.empty()) result["map"] = verb.map_out;
     if (!verb.render.empty()) result["render"] = verb.render;
     if (!verb.render_before.empty()) result["render_before"] = verb.render_before;
@@ -99,7 +107,7 @@ void print_text(const ReplayVerb& verb, const Session& session, const ReplayRepo
     if (report.expectations > 0)
         std::printf("%zu of %zu expectations met\n", report.expectations - report.failures.size(),
                     report.expectations);
-    for (const std::string& out : {verb.render_before, verb.map_out, verb.render})
+    for (const std::string& out : {verb.render_before, verb.map_out, verb.colour_out, verb.render})
         if (!out.empty()) std::printf("wrote %s\n", out.c_str());
     if (!verb.timings) return;
     std::printf("%-8s %12s %12s %12s %8s\n", "stage", "median ms", "p95 ms", "max ms", "dabs");
@@ -118,7 +126,8 @@ int run_replay(const ReplayVerb& verb) {
     const auto start = std::chrono::steady_clock::now();
     const ReplayReport report = run_operations(journal, session, verb);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (!verb.map_out.empty()) session.save(verb.map_out);
+    if (!verb.colour_out.empty()) session.export_colours(verb.colour_out);
+    if (!verb.map_out.empty()) session.save(verb.map_out, {});
     if (!verb.render.empty()) render_to(session, verb, verb.render);
     verb.common.json ? print_json(verb, session, report, seconds)
                      : print_text(verb, session, report, seconds);
@@ -134,12 +143,16 @@ void add_replay(CLI::App& app, Command& command) {
     verb.add_option("JOURNAL", options->journal, "Journal file (JSON Lines)")->required();
     verb.add_option("-o,--output", options->map_out, "Write the edited map: .png, .tif or .exr")
         ->type_name("MAP");
+    verb.add_option("--colour-output", options->colour_out, "Write the painted colour map: .png or .tif")
+        ->type_name("MAP");
     verb.add_option("--render", options->render, "Render the result to a .png or .exr")->type_name("OUT");
     verb.add_option("--render-before", options->render_before, "Render what was there before the strokes")
         ->type_name("OUT");
     verb.add_option("--scene", options->scene, "Scene file in place of the one that the journal names")
         ->type_name("SCENE");
     verb.add_option("--map", options->map, "Start from this map in place of the scene's")->type_name("MAP");
+    verb.add_option("--colour-map", options->colour_map, "Start from this colour map in place of the scene's")
+        ->type_name("MAP");
     verb.add_flag("--force", options->force,
                   "Go on though mesh, map or stamped images are not the recorded ones");
     verb.add_flag("--timings", options->timings, "Print a table of milliseconds by stage over all dabs");

@@ -25,6 +25,7 @@ class BrushCursor {
     void resize(Session& session);
     void hide() { centre_.reset(); }
 
+    std::optional<PickHit> hit() const { return centre_; }  // of the surface under the pointer
     // What it stands on, for marks of other tools.
     struct Look {
         PickHit centre;

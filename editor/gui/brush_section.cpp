@@ -49,7 +49,8 @@ void size_rows(Desk& desk) {
 void brush_rows(Desk& desk) {
     Brush& brush = desk.session.brush();
     for (const BrushParameter& parameter : brush_parameters()) {
-        if (parameter.name == "radius" || !holds(parameter.tools, brush.tool)) continue;
+        const bool has_own_row = parameter.name == "radius" || parameter.unit == "sRGB";
+        if (has_own_row || !holds(parameter.tools, brush.tool)) continue;
         const bool whole = parameter.high - parameter.low > 20;
         float& value = brush.*parameter.value;
         const Range range{parameter.low, parameter.high, false, whole ? "%.0f" : "%.3f"};
@@ -100,6 +101,7 @@ void draw_brush_section(Desk& desk) {
     if (desk.session.brush().tool == Tool::stamp) draw_alpha_picker(desk);
     stroke_rows(desk, true);
     size_rows(desk);
+    draw_colour_rows(desk);
     brush_rows(desk);
     row_label("Falloff");
     falloff_combo(desk);

@@ -77,9 +77,19 @@ void Desk::save() {
 }
 
 bool Desk::save_to(const std::filesystem::path& path) {
-    const bool saved = attempt([&] { session.save(path); });
-    if (saved) toasts.info("Saved " + path.string());
-    return saved;
+    const std::filesystem::path colours = session.colour_path_for(path);
+    const bool saved = attempt([&] { session.save(path, colours); });
+    if (!saved) return false;
+    toasts.info("Saved " + path.string() + (colours.empty() ? "" : " and " + colours.filename().string()));
+    const Scene& scene = session.scene();
+    if (colours.empty() || colours == scene.objects.front().material.albedo_map) return true;
+    attempt([&] {
+        const auto both = scene_with_maps(scene.path, path, colours);
+        change_preferences([&](Preferences& p) { add_recent(p, both); });
+        toasts.info("The scene does not name these colours: open " + both.filename().string() +
+                    " from Recent");
+    });
+    return true;
 }
 
 void Desk::open_file(const std::filesystem::path& path) {
@@ -225,6 +235,39 @@ void Desk::choose_tool(std::size_t index) {
     session.brush().tool = tools()[index].tool;
     if (session.brush().tool == Tool::stamp && !session.alpha() && !alphas.entries().empty())
         session.set_alpha(alphas.entries().front().alpha);
+}
+
+void Desk::next_paint() {
+    Brush& brush = session.brush();
+    const auto next = (static_cast<std::size_t>(brush.paint) + 1) % paint_names().size();
+    brush.paint = static_cast<Paint>(next);
+    constexpr std::array kMessages{"Tools change heights", "Tools that raise or lower paint colour alone",
+                                   "Tools that raise or lower paint colour as well"};
+    toasts.info(kMessages[next]);
+}
+
+void Desk::pick_colour() {
+    const auto hit = cursor.hit();
+    if (!hit) return toasts.info("Point at the surface to take its colour");
+    set_colour(session.brush(), session.colour_at(*hit));
+}
+
+void Desk::prepare_to_paint(const Brush& brush) {
+    if (!paints(brush)) return;
+    if (!session.colours()) {
+        session.make_colours(view.colour_bits);
+        live.restart();
+    }
+    if (!holds(kColouringTools, brush.tool)) return;
+    constexpr std::size_t kMostRecent = 8;
+    auto& recent = view.recent_colours;
+    std::erase(recent, colour_of(brush));
+    recent.insert(recent.begin(), colour_of(brush));
+    recent.resize(std::min(recent.size(), kMostRecent));
+}
+
+void Desk::export_colours(const std::filesystem::path& path) {
+    if (attempt([&] { session.export_colours(path); })) toasts.info("Saved " + path.string());
 }
 
 void Desk::set_view(View wanted) {

@@ -2,6 +2,7 @@
 // through the session, which journals it; what it refuses becomes a message on screen.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -38,11 +39,21 @@ enum class Dialog {
     unsaved,
     recovery,
     exemplar,
-    alpha
+    alpha,
+    export_colours
 };
 
 // A brush setting that follows the pointer until a click.
 enum class BrushDrag { none, radius, strength, rotation };
+
+// Red, green and blue of a brush, sRGB-encoded.
+using PaintColour = std::array<float, 3>;
+inline PaintColour colour_of(const Brush& brush) {
+    return {brush.red, brush.green, brush.blue};
+}
+inline void set_colour(Brush& brush, const PaintColour& colour) {
+    brush.red = colour[0], brush.green = colour[1], brush.blue = colour[2];
+}
 
 // What is shown, and no more than that: none of it is journaled.
 struct ViewState {
@@ -54,6 +65,8 @@ struct ViewState {
     double full_fov_deg = 40;  // what flatten_view() goes back to
     MethodChoice second{};     // of the right part while the picture is split, and the next time
     bool hint = false;         // for a first stroke
+    std::vector<PaintColour> recent_colours{};  // the newest first
+    int colour_bits = 8;                        // of a colour map that the first stroke makes
     bool asking = false;       // a click asks what happened to the pixel's ray, and does not sculpt
 };
 
@@ -100,6 +113,12 @@ class Desk {
     void flatten_view();                     // to nearly parallel lines of sight, or back
     void toggle_symmetry(std::size_t axis);  // 0 to 2: x, y, z
     void choose_tool(std::size_t index);     // into tools(); beyond them, nothing happens
+    void next_paint();                       // height, colour, both
+    void pick_colour();                      // from the surface under the pointer, for the brush
+    // Before a stroke by that brush: where it paints and there is no colour map yet, one is made. Throws as
+    // Session::make_colours.
+    void prepare_to_paint(const Brush& brush);
+    void export_colours(const std::filesystem::path& path);
     void set_view(View view);
     void show_mask(bool wanted);
     void split(bool wanted);  // the right part of the picture by the second method

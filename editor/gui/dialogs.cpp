@@ -174,6 +174,13 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
                 alpha ? alpha->path() : desk.session.scene().path);
             break;
         }
+        case Dialog::export_colours: {
+            if (!desk.session.colours()) return desk.toasts.info("There is no colour map yet: paint one");
+            const std::filesystem::path scene = desk.session.scene().path;
+            files_.open({"Export the colours", "Save", {".png", ".tif", ".tiff"}, true, {}},
+                        scene.parent_path() / (scene.stem().string() + "-colours.png"));
+            break;
+        }
         case Dialog::save_as: {
             const std::filesystem::path scene = desk.session.scene().path;
             const auto fresh = scene.parent_path() / (scene.stem().string() + ".tif");
@@ -190,6 +197,7 @@ void Dialogs::draw_files(Desk& desk) {
     const auto path = files_.draw();
     if (path && file_purpose_ == Dialog::open) desk.open_file(*path);
     if (path && file_purpose_ == Dialog::save_picture) desk.save_picture(*path);
+    if (path && file_purpose_ == Dialog::export_colours) desk.export_colours(*path);
     if (path && file_purpose_ == Dialog::exemplar) desk.set_exemplar(*path);
     if (path && file_purpose_ == Dialog::alpha) desk.set_alpha(*path);
     if (file_purpose_ != Dialog::save_as || !was_open || files_.is_open()) return;

@@ -43,6 +43,7 @@ std::unique_ptr<Session> open_session(const Departure& to, SessionOptions option
     if (to.kind != Departure::Kind::restore) return std::make_unique<Session>(to.scene, options);
     const AbandonedJournal& abandoned = *to.abandoned;
     options.map = abandoned.base_map;
+    options.colour_map = abandoned.base_colours;
     auto session = std::make_unique<Session>(abandoned.scene, options);
     replay(read_journal(abandoned.journal), *session);
     remove_recovery(abandoned.journal);

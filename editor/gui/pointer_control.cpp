@@ -74,7 +74,10 @@ void PointerControl::on_press(const InputEvent& local) {
         desk_->set_clone_source(desk_->live.to_renderer_x(local.x), desk_->live.to_renderer_y(local.y));
     } else if (local.code == GLFW_MOUSE_BUTTON_LEFT) {
         apply_camera();
-        desk_->attempt([&] { stroke_.begin(local); });
+        desk_->attempt([&] {
+            desk_->prepare_to_paint(stroke_.brush_for(local));
+            stroke_.begin(local);
+        });
     }
 }
 

@@ -108,7 +108,9 @@ void draw_lights_section(Desk& desk) {
     ImGui::TextUnformatted("Material");
     const Material material = desk.session.scene().objects.front().material;
     float albedo[3] = {material.albedo.r, material.albedo.g, material.albedo.b};
-    if (color_row("Albedo", albedo, "Share of light that is scattered back, linear.")) {
+    if (desk.session.colours()) {
+        text_row("Albedo", "the colour map");
+    } else if (color_row("Albedo", albedo, "Share of light that is scattered back, linear.")) {
         for (float& part : albedo) part = std::clamp(part, 0.0f, 1.0f);
         desk.set("material.albedo", three(albedo));
     }

@@ -52,6 +52,11 @@ void draw_map_section(Desk& desk) {
     }
     text_row(d.procedural ? "Exemplar" : "Texels",
              std::to_string(map.width()) + " x " + std::to_string(map.height()) + ", 16 bit");
+    if (desk.session.colours()) {
+        const auto colours = desk.session.colour_path();
+        text_row("Colours", colours ? colours->filename().string() : "not saved yet");
+        if (colours) tooltip(colours->string());
+    }
     auto amplitude = static_cast<float>(d.amplitude);
     const float most = std::max(desk.mesh_radius(), std::abs(amplitude));
     if (slider_row("Amplitude", amplitude, {-most, most, false, "%.4g"},

@@ -24,6 +24,8 @@ std::string tool_hint(const Desk& desk) {
     }
     if (desk.session.in_stroke()) return "Esc cancels the stroke";
     if (desk.view.asking) return "Click a pixel to list what its ray met; Esc ends it";
+    if (!sculpts(desk.session.brush()))
+        return "Drag to paint; Shift smooths colours, S takes one, P goes back to heights";
     if (desk.session.brush().tool == Tool::draw)
         return desk.session.brush().invert ? "Drag to lower; Ctrl raises, Shift smooths"
                                            : "Drag to raise; Ctrl lowers, Shift smooths";

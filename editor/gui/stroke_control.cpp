@@ -9,11 +9,16 @@ PointerEvent StrokeControl::pointer(const InputEvent& event) const {
     return {event.time_us, live_->to_renderer_x(event.x), live_->to_renderer_y(event.y), 1};
 }
 
-void StrokeControl::begin(const InputEvent& event) {
-    const Brush chosen = session_->brush();
-    Brush brush = chosen;
+Brush StrokeControl::brush_for(const InputEvent& event) const {
+    Brush brush = session_->brush();
     if (event.mods & GLFW_MOD_SHIFT) brush.tool = Tool::smooth;
     if (event.mods & GLFW_MOD_CONTROL) brush.invert = !brush.invert;
+    return brush;
+}
+
+void StrokeControl::begin(const InputEvent& event) {
+    const Brush chosen = session_->brush();
+    Brush brush = brush_for(event);
     Session& session = *session_;
     LivePicture& live = *live_;
     StrokeSettings settings = session.stroke_settings();

@@ -19,6 +19,8 @@ class StrokeControl {
 
     // Positions are in pixels of the picture on screen. With Ctrl, draw lowers instead of raising; with
     // Shift, the stroke smooths. Throws std::invalid_argument when a brush setting is out of its range.
+    // The brush that a press takes: the session's, turned round by Ctrl, smoothing with Shift.
+    Brush brush_for(const InputEvent& event) const;
     void begin(const InputEvent& event);
     void move(const InputEvent& event);
     void rest(std::uint64_t time_us);  // no event came until then

@@ -68,6 +68,7 @@ void file_menu(Desk& desk) {
     if (ImGui::MenuItem("Save", "Ctrl+S")) desk.save();
     item("Save as...", "Ctrl+Shift+S", Dialog::save_as);
     item("Export...", "Ctrl+E", Dialog::export_map);
+    item("Export the colours...", nullptr, Dialog::export_colours);
     if (ImGui::MenuItem("Revert", nullptr, false, desk.session.unsaved())) desk.revert();
     tooltip("To what was last saved or loaded, by undo; redo goes back.");
     ImGui::Separator();

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "brushes/atomic_file.h"
+#include "brushes/colour_file.h"
 #include "editor/session/memory_estimate.h"
 #include "editor/session/text.h"
 #include "editor/session/user_folders.h"
@@ -50,16 +51,20 @@ json movable(const Scene& scene) {
     for (json& object : root["objects"]) {
         make_absolute(object, "mesh", folder);
         make_absolute(object, "opacity_map", folder);
+        if (object.contains("material")) make_absolute(object["material"], "albedo_map", folder);
         if (object.contains("displacement")) make_absolute(object["displacement"], "map", folder);
     }
     return root;
 }
 
-fs::path with_map(const Scene& scene, const fs::path& map) {
+// `colours` empty: as the scene says.
+fs::path with_map(const Scene& scene, const fs::path& map, const fs::path& colours = {}) {
     json root = movable(scene);
     json& displacement = root["objects"][0]["displacement"];
     displacement.erase("size");
     displacement["map"] = fs::absolute(map).lexically_normal().string();
+    if (!colours.empty())
+        root["objects"][0]["material"]["albedo_map"] = fs::absolute(colours).lexically_normal().string();
     return write_scene(root, scene.path.stem().string() + "-" + map.stem().string());
 }
 
@@ -98,6 +103,12 @@ fs::path scene_of_mesh(const fs::path& mesh) {
 fs::path scene_with_map(const fs::path& scene, const fs::path& map) {
     map_info(map);  // throws where it is no map
     return with_map(load_scene(scene), map);
+}
+
+fs::path scene_with_maps(const fs::path& scene, const fs::path& map, const fs::path& colours) {
+    map_info(map);
+    colour_info(colours);
+    return with_map(load_scene(scene), map, colours);
 }
 
 fs::path scene_with_new_map(const fs::path& scene, const NewMap& map) {

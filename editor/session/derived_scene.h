@@ -22,6 +22,10 @@ std::filesystem::path scene_of_mesh(const std::filesystem::path& mesh);
 // std::invalid_argument when either cannot be read.
 std::filesystem::path scene_with_map(const std::filesystem::path& scene, const std::filesystem::path& map);
 
+// The scene with these maps of the edited object: heights, and colours as the material's albedo map.
+std::filesystem::path scene_with_maps(const std::filesystem::path& scene, const std::filesystem::path& map,
+                                      const std::filesystem::path& colours);
+
 struct NewMap {
     std::filesystem::path path;       // its extension must fit the format
     int width = 1024, height = 1024;  // texels, [1, HeightMap::kMaxSize]

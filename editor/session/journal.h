@@ -25,6 +25,8 @@ struct JournalHeader {
     std::optional<int> map_width, map_height;   // texels
     std::optional<double> midlevel, amplitude;  // before the first operation
     std::optional<std::uint64_t> undo_budget;   // bytes: replay must drop the same steps
+    std::filesystem::path colour_map;           // that the session started from, as `scene`; empty: none
+    std::optional<std::uint64_t> colour_hash;   // ColourMap::hash() of it
     bool operator==(const JournalHeader&) const = default;
 };
 
@@ -75,9 +77,15 @@ struct BakeOp {
     ImageSize size;
     bool operator==(const BakeOp&) const = default;
 };
-struct ExpectOp {  // the map's hash at this point, and the mask's
+// A colour map of the displacement map's size, filled with the material's albedo, for strokes to paint.
+struct ColourMapOp {
+    int bits = 8;
+    bool operator==(const ColourMapOp&) const = default;
+};
+struct ExpectOp {  // the map's hash at this point, the mask's and the colour map's
     std::uint64_t map = 0;
     std::optional<std::uint64_t> mask = std::nullopt;
+    std::optional<std::uint64_t> colour = std::nullopt;
     bool operator==(const ExpectOp&) const = default;
 };
 struct ExpectImageOp {  // a stored PNG, relative to the journal's folder
@@ -95,14 +103,16 @@ struct RenderOp {  // writes `out`, relative to the journal's folder
 };
 // With `map`, the record of a save that took place: replay checks the hash and writes nothing, so that
 // replaying a session never overwrites an artist's files. Without, a script's order to write the map,
-// relative to the journal.
+// relative to the journal. `colour_map`: the colour map is saved there, too, and `colour` is its hash.
 struct SaveOp {
     std::filesystem::path path;
     std::optional<std::uint64_t> map;
+    std::filesystem::path colour_map = {};
+    std::optional<std::uint64_t> colour = std::nullopt;
     bool operator==(const SaveOp&) const = default;
 };
-using JournalOp =
-    std::variant<StrokeOp, UndoOp, RedoOp, MaskOp, SetOp, BakeOp, ExpectOp, ExpectImageOp, RenderOp, SaveOp>;
+using JournalOp = std::variant<StrokeOp, UndoOp, RedoOp, MaskOp, SetOp, BakeOp, ExpectOp, ExpectImageOp,
+                               RenderOp, SaveOp, ColourMapOp>;
 
 struct JournalEntry {
     int line = 0;  // 1-based, for messages

@@ -68,6 +68,10 @@ std::string brush_object(const Brush& brush) {
         text.append(",\"radial_axis\":\"")
             .append(axis_names()[static_cast<std::size_t>(brush.radial_axis)])
             .append("\"");
+    if (brush.paint != standard.paint)
+        text.append(",\"paint\":\"")
+            .append(paint_names()[static_cast<std::size_t>(brush.paint)])
+            .append("\"");
     return text + "}";
 }
 
@@ -149,6 +153,7 @@ struct Formatter {
     std::string operator()(const ExpectOp& op) const {
         std::string text = R"({"op":"expect","map":")" + hash_text(op.map) + "\"";
         if (op.mask) text += ",\"mask\":\"" + hash_text(*op.mask) + "\"";
+        if (op.colour) text += ",\"colour\":\"" + hash_text(*op.colour) + "\"";
         return text + "}";
     }
     std::string operator()(const ExpectImageOp& op) const {
@@ -161,7 +166,12 @@ struct Formatter {
     std::string operator()(const SaveOp& op) const {
         std::string text = R"({"op":"save","path":)" + quoted(op.path);
         if (op.map) text += ",\"map\":\"" + hash_text(*op.map) + "\"";
+        if (!op.colour_map.empty()) text += ",\"colour_map\":" + quoted(op.colour_map);
+        if (op.colour) text += ",\"colour\":\"" + hash_text(*op.colour) + "\"";
         return text + "}";
+    }
+    std::string operator()(const ColourMapOp& op) const {
+        return R"({"op":"colour_map","bits":)" + shortest(op.bits) + "}";
     }
 };
 
@@ -190,6 +200,8 @@ std::string format_header(const JournalHeader& header) {
     if (header.midlevel) text += ",\"midlevel\":" + number(*header.midlevel);
     if (header.amplitude) text += ",\"amplitude\":" + number(*header.amplitude);
     if (header.undo_budget) text += ",\"undo_budget\":" + shortest(*header.undo_budget);
+    if (!header.colour_map.empty()) text += ",\"colour_map\":" + quoted(header.colour_map);
+    if (header.colour_hash) text += ",\"colour_hash\":\"" + hash_text(*header.colour_hash) + "\"";
     return text + "}";
 }
 

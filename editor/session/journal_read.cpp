@@ -129,7 +129,7 @@ constexpr int kMaxSpp = 1 << 20;  // samples a pixel
 constexpr double kMaxReal = 1e30;
 
 Brush read_brush(const json& value, const std::string& where) {
-    std::vector<std::string_view> keys{"tool", "falloff", "radial_axis"};
+    std::vector<std::string_view> keys{"tool", "falloff", "radial_axis", "paint"};
     for (const BrushFlag& flag : brush_flags()) keys.push_back(flag.name);
     for (const BrushParameter& parameter : brush_parameters()) keys.push_back(parameter.name);
     const Fields fields(value, where + ": brush", keys);
@@ -143,6 +143,7 @@ Brush read_brush(const json& value, const std::string& where) {
         brush.falloff = static_cast<Falloff>(fields.choice("falloff", falloff_names()));
     if (fields.has("radial_axis"))
         brush.radial_axis = static_cast<Axis>(fields.choice("radial_axis", axis_names()));
+    if (fields.has("paint")) brush.paint = static_cast<Paint>(fields.choice("paint", paint_names()));
     for (const BrushFlag& flag : brush_flags()) {
         const std::string key(flag.name);
         if (fields.has(key.c_str())) brush.*flag.value = fields.boolean(key);
@@ -284,9 +285,10 @@ JournalOp read_op(const json& value, const std::string& where) {
         return BakeOp{*fields.size("size", HeightMap::kMaxSize)};
     }
     if (name == "expect") {
-        const Fields fields(value, where, {"op", "map", "mask"});
+        const Fields fields(value, where, {"op", "map", "mask", "colour"});
         ExpectOp op{fields.hash("map")};
         if (fields.has("mask")) op.mask = fields.hash("mask");
+        if (fields.has("colour")) op.colour = fields.hash("colour");
         return op;
     }
     if (name == "expect_image") {
@@ -299,14 +301,23 @@ JournalOp read_op(const json& value, const std::string& where) {
         return RenderOp{fields.word("out"), read_spp(fields), fields.size("size", kMaxImage)};
     }
     if (name == "save") {
-        const Fields fields(value, where, {"op", "path", "map"});
+        const Fields fields(value, where, {"op", "path", "map", "colour_map", "colour"});
         SaveOp op{fields.word("path"), std::nullopt};
         if (fields.has("map")) op.map = fields.hash("map");
+        if (fields.has("colour_map")) op.colour_map = fields.word("colour_map");
+        if (fields.has("colour")) op.colour = fields.hash("colour");
         return op;
+    }
+    if (name == "colour_map") {
+        const Fields fields(value, where, {"op", "bits"});
+        const std::int64_t bits = fields.integer(fields.at("bits"), "bits", 8, 16);
+        if (bits != 8 && bits != 16) fields.fail("bits", "is " + std::to_string(bits) + ", must be 8 or 16");
+        return ColourMapOp{static_cast<int>(bits)};
     }
     throw std::invalid_argument(
         where + ": op: is \"" + name +
-        "\", must be one of stroke, undo, redo, mask, set, bake, expect, expect_image, render, save");
+        "\", must be one of stroke, undo, redo, mask, set, bake, expect, expect_image, render, save, "
+        "colour_map");
 }
 
 JournalHeader read_header(const json& value, const std::string& where) {
@@ -315,7 +326,7 @@ JournalHeader read_header(const json& value, const std::string& where) {
                                     R"(: not a journal: the first line must be {"relievo_journal":1,...})");
     const Fields fields(value, where,
                         {"relievo_journal", "version", "scene", "mesh_hash", "map_hash", "map_size",
-                         "midlevel", "amplitude", "undo_budget"});
+                         "midlevel", "amplitude", "undo_budget", "colour_map", "colour_hash"});
     if (fields.at("relievo_journal") != 1)
         fields.fail("relievo_journal", "is " + value["relievo_journal"].dump() + ", this program reads 1");
     JournalHeader header;
@@ -332,6 +343,8 @@ JournalHeader read_header(const json& value, const std::string& where) {
     if (fields.has("undo_budget"))
         header.undo_budget =
             static_cast<std::uint64_t>(fields.integer(fields.at("undo_budget"), "undo_budget", 0, INT64_MAX));
+    if (fields.has("colour_map")) header.colour_map = fields.word("colour_map");
+    if (fields.has("colour_hash")) header.colour_hash = fields.hash("colour_hash");
     return header;
 }
 

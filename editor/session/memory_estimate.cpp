@@ -59,6 +59,18 @@ MapMemory estimate_memory(const MapInfo& map, bool with_renderer, bool with_pyra
     return need;
 }
 
+MapMemory estimate_colour_memory(const ColourInfo& colours, bool with_renderer) {
+    const std::uint64_t texels =
+        static_cast<std::uint64_t>(colours.width) * static_cast<std::uint64_t>(colours.height);
+    const std::uint64_t channel = colours.bits == 8 ? 1 : 2;
+    const std::uint64_t file = texels * static_cast<std::uint64_t>(colours.channels) * channel;
+    MapMemory need;
+    need.editing = texels * 3 * sizeof(std::uint16_t) + (colours.channels > 3 ? file : 0);
+    need.passing = file;
+    if (with_renderer) need.device = texels * 4 * channel;
+    return need;
+}
+
 std::uint64_t available_memory() {
     std::uint64_t least = proc_value("/proc/meminfo", "MemAvailable");
     least = std::min(

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "brushes/colour_file.h"
 #include "brushes/map_file.h"
 
 namespace relievo {
@@ -17,6 +18,9 @@ struct MapMemory {
     std::uint64_t device = 0;   // image, and the min-max pyramid where the method bounds heights
 };
 MapMemory estimate_memory(const MapInfo& map, bool with_renderer, bool with_pyramid);
+
+// The same of a colour map.
+MapMemory estimate_colour_memory(const ColourInfo& colours, bool with_renderer);
 
 // What this process may still take: the least of the system's available memory, the control group's rest and
 // the process's own limit of address space.

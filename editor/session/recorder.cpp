@@ -4,8 +4,6 @@
 
 #include <exception>
 
-#include "editor/session/recovery.h"
-
 namespace relievo {
 namespace fs = std::filesystem;
 
@@ -14,7 +12,8 @@ Recorder::Recorder(const JournalHeader& header, const fs::path& journal, bool re
     if (journal.empty()) return;
     JournalHeader relative = header;
     const fs::path folder = fs::absolute(journal).parent_path();
-    if (fs::path scene = header.scene.lexically_relative(folder); !scene.empty()) relative.scene = scene;
+    for (fs::path* written : {&relative.scene, &relative.colour_map})
+        if (fs::path path = written->lexically_relative(folder); !path.empty()) *written = path;
     journal_ = std::make_unique<JournalWriter>(journal, relative);
 }
 
@@ -59,10 +58,10 @@ JournalOp Recorder::beside_journal(const JournalOp& op) const {
     return moved;
 }
 
-void Recorder::keep_base(const fs::path& map) {
+void Recorder::keep_base(BaseFile which, const fs::path& file) {
     try {
         if (recovery_wanted_ && !recovery_) open_recovery();
-        if (recovery_) keep_base_map(recovery_->path(), map);
+        if (recovery_) relievo::keep_base(recovery_->path(), which, file);
     } catch (const std::exception& error) {
         trouble_ = error.what();
     }
@@ -71,7 +70,8 @@ void Recorder::keep_base(const fs::path& map) {
 void Recorder::open_recovery() {
     recovery_wanted_ = false;  // one attempt: a folder that cannot be written stays so
     recovery_ = std::make_unique<JournalWriter>(new_recovery_journal(header_.scene), header_);
-    if (!start_map_.empty()) keep_base_map(recovery_->path(), start_map_);
+    if (!start_map_.empty()) relievo::keep_base(recovery_->path(), BaseFile::map, start_map_);
+    if (!start_colours_.empty()) relievo::keep_base(recovery_->path(), BaseFile::colours, start_colours_);
 }
 
 void Recorder::discard_recovery() {

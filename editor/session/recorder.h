@@ -10,6 +10,7 @@
 
 #include "brushes/alpha.h"
 #include "editor/session/journal_writer.h"
+#include "editor/session/recovery.h"
 
 namespace relievo {
 
@@ -20,16 +21,18 @@ class Recorder {
     Recorder(const JournalHeader& header, const std::filesystem::path& journal, bool recovery);
     ~Recorder();
 
-    // `start_map`, when not empty, is a map file that the recovery journal must be replayed on instead of the
-    // scene's.
-    void set_start_map(const std::filesystem::path& start_map) { start_map_ = start_map; }
+    // Files that the recovery journal must be replayed on instead of the scene's; empty: the scene's.
+    void set_start_files(const std::filesystem::path& map, const std::filesystem::path& colours) {
+        start_map_ = map;
+        start_colours_ = colours;
+    }
 
     // Never throws for trouble with files: error() tells, and the session goes on.
     void record(const JournalOp& op);
     // Call before a stroke with this image is recorded.
     void keep_alpha(const Alpha& alpha);
-    // Call before a save replaces `map`, the file that the session started from.
-    void keep_base(const std::filesystem::path& map);
+    // Call before a save replaces a file that the session started from.
+    void keep_base(BaseFile which, const std::filesystem::path& file);
     void discard_recovery();
     std::string error() const;
 
@@ -39,7 +42,7 @@ class Recorder {
     JournalOp beside_journal(const JournalOp& op) const;
 
     JournalHeader header_;
-    std::filesystem::path start_map_;
+    std::filesystem::path start_map_, start_colours_;
     std::map<std::uint64_t, std::filesystem::path> kept_alphas_;  // beside the recovery journal, by hash
     bool recovery_wanted_;
     std::unique_ptr<JournalWriter> journal_, recovery_;

@@ -18,10 +18,11 @@ namespace {
 
 constexpr const char* kJournalExtension = ".jsonl";
 
-// Base maps keep their extension (it names their format): NAME.base.png beside NAME.jsonl.
-fs::path base_map_stem(const fs::path& journal) {
+// Kept files keep their extension (it names their format): NAME.base.png and NAME.colour.png beside
+// NAME.jsonl.
+fs::path base_stem(const fs::path& journal, BaseFile which) {
     fs::path stem = journal;
-    return stem.replace_extension(".base");
+    return stem.replace_extension(which == BaseFile::map ? ".base" : ".colour");
 }
 
 // NAME.alpha-HASH.exr beside NAME.jsonl.
@@ -42,7 +43,11 @@ std::optional<AbandonedJournal> read_abandoned(const fs::path& path) {
     if (writer_lives(path)) return std::nullopt;
     try {
         const Journal journal = read_journal(path);
-        AbandonedJournal found{path, journal.resolve(journal.header.scene), base_map_of(path), 0,
+        AbandonedJournal found{path,
+                               journal.resolve(journal.header.scene),
+                               base_of(path, BaseFile::map),
+                               base_of(path, BaseFile::colours),
+                               0,
                                fs::last_write_time(path)};
         for (const JournalEntry& entry : journal.entries) {
             if (std::holds_alternative<SaveOp>(entry.op)) found.edits = 0;
@@ -97,20 +102,21 @@ void remove_recovery(const fs::path& journal) {
     for (const auto& file : fs::directory_iterator(journal.parent_path(), ignored))
         if (file.path().filename().string().starts_with(alpha_prefix(journal))) images.push_back(file.path());
     for (const fs::path& image : images) fs::remove(image, ignored);
-    if (const fs::path base = base_map_of(journal); !base.empty()) fs::remove(base, ignored);
+    for (const BaseFile which : {BaseFile::map, BaseFile::colours})
+        if (const fs::path base = base_of(journal, which); !base.empty()) fs::remove(base, ignored);
     fs::remove(journal, ignored);
 }
 
-void keep_base_map(const fs::path& journal, const fs::path& map) {
-    if (!base_map_of(journal).empty()) return;
-    const fs::path base = base_map_stem(journal).concat(map.extension().string());
+void keep_base(const fs::path& journal, BaseFile which, const fs::path& kept) {
+    if (!base_of(journal, which).empty()) return;
+    const fs::path base = base_stem(journal, which).concat(kept.extension().string());
     std::error_code error;
-    const fs::path file = fs::canonical(map, error);  // a link to a symbolic link would keep nothing
+    const fs::path file = fs::canonical(kept, error);  // a link to a symbolic link would keep nothing
     if (!error) fs::create_hard_link(file, base, error);
     if (!error) return;
     // Copied under another name first: a kill in between must not leave half a map that passes for the base.
     const fs::path partial = fs::path(base).concat(".part");
-    fs::copy_file(map, partial, fs::copy_options::overwrite_existing, error);
+    fs::copy_file(kept, partial, fs::copy_options::overwrite_existing, error);
     if (!error) fs::rename(partial, base, error);
     if (error)
         throw std::runtime_error(base.string() +
@@ -123,8 +129,8 @@ fs::path keep_alpha(const fs::path& journal, const Alpha& alpha) {
     return kept;
 }
 
-fs::path base_map_of(const fs::path& journal) {
-    const fs::path stem = base_map_stem(journal);
+fs::path base_of(const fs::path& journal, BaseFile which) {
+    const fs::path stem = base_stem(journal, which);
     for (const char* extension : {".png", ".tif", ".tiff", ".exr", ".PNG", ".TIF", ".TIFF", ".EXR"}) {
         const fs::path base = fs::path(stem).concat(extension);
         if (fs::exists(base)) return base;

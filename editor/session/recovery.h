@@ -22,6 +22,7 @@ struct AbandonedJournal {
     std::filesystem::path scene;  // absolute
     std::filesystem::path
         base_map;           // the map as it was before the session saved over it; empty: as the scene says
+    std::filesystem::path base_colours;  // the colour map, likewise
     std::size_t edits = 0;  // strokes, undos and redos since the last save
     std::filesystem::file_time_type when;  // of the last line
 };
@@ -35,15 +36,17 @@ std::vector<AbandonedJournal> find_abandoned_journals();
 // written.
 std::filesystem::path keep_alpha(const std::filesystem::path& journal, const Alpha& alpha);
 
-// Deletes a recovery journal, its images and its base map, after it was restored or declined.
+// Deletes a recovery journal and what was kept with it, after it was restored or declined.
 void remove_recovery(const std::filesystem::path& journal);
 
-// Keeps the bytes of `map` beside the journal before a save replaces them: by a hard link where the file
+enum class BaseFile { map, colours };
+
+// Keeps the bytes of `file` beside the journal before a save replaces them: by a hard link where the file
 // system allows it, else by a copy. Does nothing when a base is kept already. Throws std::runtime_error when
 // neither works.
-void keep_base_map(const std::filesystem::path& journal, const std::filesystem::path& map);
+void keep_base(const std::filesystem::path& journal, BaseFile which, const std::filesystem::path& file);
 
-// The kept base map; empty when there is none.
-std::filesystem::path base_map_of(const std::filesystem::path& journal);
+// The kept file; empty when there is none.
+std::filesystem::path base_of(const std::filesystem::path& journal, BaseFile which);
 
 }  // namespace relievo

@@ -43,6 +43,14 @@ void check_start(const Journal& journal, Session& session, bool force) {
         require(hash == *header.map_hash, "map_hash",
                 "recorded on map " + hash_text(*header.map_hash) + ", this one is " + hash_text(hash));
     }
+    if (header.colour_hash) {
+        const std::string wanted = "recorded on colour map " + hash_text(*header.colour_hash) +
+                                   (header.colour_map.empty() ? "" : " (" + header.colour_map.string() + ")");
+        const ColourMap* colours = session.colours();
+        const std::uint64_t hash = colours ? colours->hash() : 0;
+        require(colours && hash == *header.colour_hash, "colour_hash",
+                wanted + (colours ? ", this one is " + hash_text(hash) : ", this scene has none"));
+    }
     const Displacement& displacement = session.scene().objects.front().displacement;
     if (header.amplitude && *header.amplitude != displacement.amplitude)
         session.set("amplitude", *header.amplitude);
@@ -127,12 +135,21 @@ class Replayer {
         }
     }
 
+    void operator()(const ColourMapOp& op) {
+        try {
+            session_.make_colours(op.bits);
+        } catch (const std::invalid_argument& error) {
+            fail(std::string("colour_map: ") + error.what());
+        }
+    }
+
     void operator()(const ExpectOp& op) {
         ++report_.expectations;
         const std::uint64_t got = session_.map().hash();
         if (got != op.map)
             report_.failures.push_back(where() + "expect: the map should be " + hash_text(op.map) +
                                        ", it is " + hash_text(got));
+        if (op.colour) expect_colours("expect", *op.colour);
         if (!op.mask) return;
         const HeightMap& map = session_.map();
         const std::uint64_t mask =
@@ -171,15 +188,30 @@ class Replayer {
 
     void operator()(const SaveOp& op) {
         const fs::path path = journal_.resolve(op.path);
-        if (!op.map) return session_.save(path);
+        const fs::path colour_path = op.colour_map.empty() ? fs::path() : journal_.resolve(op.colour_map);
+        if (!op.map) {
+            if (!colour_path.empty() && !session_.colours())
+                fail("save: colour_map: there is no colour map to save");
+            return session_.save(path, colour_path);
+        }
         const std::uint64_t got = session_.map().hash();
-        if (got == *op.map) return session_.confirm_saved(path);
+        const bool right_colours = !op.colour || expect_colours("save", *op.colour);
+        if (got == *op.map) return right_colours ? session_.confirm_saved(path, colour_path) : void();
         ++report_.expectations;
         report_.failures.push_back(where() + "save: the map saved then was " + hash_text(*op.map) +
                                    ", it is " + hash_text(got));
     }
 
   private:
+    bool expect_colours(const char* what, std::uint64_t wanted) {
+        const ColourMap* colours = session_.colours();
+        const std::string got = colours ? hash_text(colours->hash()) : "not there";
+        if (got == hash_text(wanted)) return true;
+        report_.failures.push_back(where() + what + ": the colour map should be " + hash_text(wanted) +
+                                   ", it is " + got);
+        return false;
+    }
+
     std::string where() const { return journal_.path.string() + ":" + std::to_string(line_) + ": "; }
     [[noreturn]] void fail(const std::string& what) const { throw std::invalid_argument(where() + what); }
 

@@ -13,6 +13,7 @@
 #include "editor/session/mesh_hash.h"
 #include "editor/session/recorder.h"
 #include "editor/session/scene_input.h"
+#include "editor/session/session_colours.h"
 #include "editor/session/session_view.h"
 #include "editor/session/settings.h"
 #include "editor/session/steps.h"
@@ -49,7 +50,9 @@ struct Session::State {
           scene(open_scene(scene_file, options.method, options.parameters)),
           start_map(options.map.empty() ? displacement().map : options.map),
           file(open_map(displacement(), start_map, traced_by())),
-          source(source_of(scene.objects.front().mesh, displacement(), file.map)) {
+          source(source_of(scene.objects.front().mesh, displacement(), file.map)),
+          colours(options.colour_map.empty() ? albedo_map() : options.colour_map, albedo_map(),
+                  options.with_renderer) {
         if (source && !options.map.empty())
             throw std::invalid_argument(options.map.string() +
                                         ": the scene's heights are procedural; there is no map to put this in place of");
@@ -66,10 +69,14 @@ struct Session::State {
         header.undo_budget = options.undo_budget;
         header.mesh_hash = mesh_hash(scene.objects.front().mesh);
         if (recording) header.map_hash = file.map.hash();  // 512 MiB of texels take a while
+        if (colours.there()) header.colour_map = fs::absolute(colours.start_file());
+        if (recording && colours.there()) header.colour_hash = colours.map().hash();
         if (options.with_renderer) open_view();
         recorder = std::make_unique<Recorder>(header, options.journal, options.recovery);
-        if (!options.map.empty()) recorder->set_start_map(options.map);
+        recorder->set_start_files(options.map, options.colour_map);
     }
+
+    const fs::path& albedo_map() const { return scene.objects.front().material.albedo_map; }
 
     const Displacement& displacement() const { return scene.objects.front().displacement; }
 
@@ -82,7 +89,7 @@ struct Session::State {
             others.push_back(open_map(other, other.map, traced_by()));
             other_sources.push_back(source_of(scene.objects[i].mesh, other, others.back().map));
         }
-        view = std::make_unique<SessionView>(scene, maps(), options);
+        view = std::make_unique<SessionView>(scene, maps(), colours.view(), options);
     }
 
     std::vector<const HeightMap*> maps() const {
@@ -116,6 +123,14 @@ struct Session::State {
         rebased[3] = glm::dvec4(-scene.origin, 1.0);
         surface->set_world_from_object(rebased * scene.objects.front().transform);
         sculptor.emplace(file.map, *surface, options.undo_budget);
+        can_paint = false;
+    }
+
+    // Hands the colour map to the sculptor, once. Throws where it has another size than the map.
+    void allow_painting() {
+        if (!colours.there() || can_paint) return;
+        sculptor->set_colours(colours.map());
+        can_paint = true;
     }
 
     void require_no_stroke() const {
@@ -130,9 +145,13 @@ struct Session::State {
         const std::vector<TexelRect> rects = edit();
         times = {};
         times.edit_ms = milliseconds_since(start);
+        const std::vector<TexelRect> painted = sculptor->take_painted();
         if (!rects.empty()) ++revision;
+        if (!painted.empty()) ++colour_revision;
         book();
-        if (view) view->upload(file.map, rects, times);
+        if (!view) return;
+        view->upload(file.map, rects, times);
+        view->upload_colours(colours.view(), painted, times);
     }
 
     // The finder of the copies of a stroke under way.
@@ -148,6 +167,10 @@ struct Session::State {
         return point.face < surface->face_count() && point.b1 <= Dab::kBarycentricOne &&
                point.b2 <= Dab::kBarycentricOne - point.b1;
     }
+    void add_step(bool changes_map, bool changes_colours) {
+        steps.add(changes_map);
+        colour_steps.add(changes_colours);
+    }
 
     void restart_image() {
         if (view) view->restart();
@@ -161,13 +184,16 @@ struct Session::State {
     std::vector<std::shared_ptr<const ProceduralSource>> other_sources;
     std::uint64_t revision = 0;     // of file.map
     std::shared_ptr<const ProceduralSource> source;  // of file.map as the exemplar; empty: it is the heights
+    SessionColours colours;
+    std::uint64_t colour_revision = 0;
+    bool can_paint = false;  // the sculptor has the colours
     std::optional<MeshSurface> surface;
     std::optional<Sculptor> sculptor;
     std::unique_ptr<SessionView> view;
     JournalHeader header;
     std::unique_ptr<Recorder> recorder;
     std::optional<fs::path> map_path;
-    Steps steps;
+    Steps steps, colour_steps;  // of both maps, and of the colours alone
     Brush brush;
     StrokeSettings stroke_settings;
     std::shared_ptr<const Alpha> alpha;  // of stamp
@@ -213,6 +239,20 @@ const HeightMap* Session::mask() const {
 std::uint64_t Session::mask_revision() const {
     return state_->sculptor->mask_revision();
 }
+const ColourMap* Session::colours() const {
+    return state_->colours.there() ? &state_->colours.map() : nullptr;
+}
+std::array<float, 3> Session::colour_at(const PickHit& hit) const {
+    const SceneObject& object = state_->scene.objects.at(hit.object);
+    if (hit.object > 0 || !state_->colours.there()) return as_floats(encoded_colour(object.material.albedo));
+    const auto uv = corner_uvs(object.mesh, hit.face);
+    const auto b1 = static_cast<double>(hit.b1), b2 = static_cast<double>(hit.b2);
+    return as_floats(state_->colours.at(uv[0] * (1 - b1 - b2) + uv[1] * b1 + uv[2] * b2,
+                                        object.displacement.wrap == Wrap::clamp));
+}
+std::uint64_t Session::colour_revision() const {
+    return state_->colour_revision;
+}
 bool Session::has_renderer() const {
     return state_->view != nullptr;
 }
@@ -229,7 +269,7 @@ vulkan::Context& Session::context() {
 
 Renderer& Session::compare_with(const MethodChoice& method) {
     renderer();
-    return state_->view->compare_with(state_->scene, state_->maps(), method);
+    return state_->view->compare_with(state_->scene, state_->maps(), state_->colours.view(), method);
 }
 
 void Session::stop_comparing() {
@@ -302,6 +342,7 @@ void Session::begin_stroke() {
     const bool clones = s.brush.tool == Tool::clone;
     if (clones && !s.clone_source.is_set())
         throw std::invalid_argument("clone: set first where the relief is to come from");
+    if (paints(s.brush)) s.allow_painting();
     s.sculptor->begin(s.brush, s.alpha);
     if (clones) s.clone_source.begin(s.stroke_settings.aligned);
     s.copies = symmetry_copies(s.brush, s.surface->world_from_object()).size() - 1;
@@ -354,7 +395,8 @@ void Session::end_stroke() {
     const std::uint64_t steps_before = s.sculptor->steps_made();
     s.apply([&] { return s.sculptor->end(); },
             [&] {
-                if (s.sculptor->steps_made() > steps_before) s.steps.add(s.stroke.brush.tool != Tool::mask);
+                if (s.sculptor->steps_made() > steps_before)
+                    s.add_step(s.stroke.brush.tool != Tool::mask, paints(s.stroke.brush));
                 if (s.stroke.alpha) s.recorder->keep_alpha(*s.alpha);
                 s.recorder->record(s.stroke);
             });
@@ -379,6 +421,7 @@ bool Session::undo() {
     s.apply([&] { return s.sculptor->undo(); },
             [&] {
                 s.steps.undo();
+                s.colour_steps.undo();
                 s.recorder->record(UndoOp{});
             });
     s.restart_image();
@@ -392,6 +435,7 @@ bool Session::redo() {
     s.apply([&] { return s.sculptor->redo(); },
             [&] {
                 s.steps.redo();
+                s.colour_steps.redo();
                 s.recorder->record(RedoOp{});
             });
     s.restart_image();
@@ -413,7 +457,7 @@ void Session::change_mask(MaskCommand command) {
             s.sculptor->blur_mask();
             break;
     }
-    if (s.sculptor->steps_made() > steps_before) s.steps.add(false);
+    if (s.sculptor->steps_made() > steps_before) s.add_step(false, false);
     s.recorder->record(MaskOp{command});
 }
 
@@ -444,11 +488,24 @@ void Session::bake(const ImageSize& size) {
     check_bakeable(s.scene.objects.front());
     HeightMap map = relievo::bake(*s.source, size);
     s.take_heights(baked_displacement(s.displacement(), {}), LoadedMap{std::move(map), {}, MapFormat::tiff16, nullptr});
-    s.steps.add();
+    s.add_step(true, false);
     s.recorder->record(BakeOp{size});
 }
 
-void Session::save(const fs::path& path) {
+void Session::make_colours(int bits) {
+    State& s = *state_;
+    s.require_no_stroke();
+    if (s.source)
+        throw std::invalid_argument(
+            "the heights are procedural: bake them into a map first, then paint that");
+    s.colours.make(s.file.map.width(), s.file.map.height(), bits, s.scene.objects.front().material.albedo,
+                   s.view != nullptr);
+    ++s.colour_revision;
+    s.recorder->record(ColourMapOp{bits});
+    if (s.view) s.view->set_colours(s.colours.view());
+}
+
+void Session::save(const fs::path& path, const fs::path& colour_path) {
     State& s = *state_;
     s.require_no_stroke();
     const MapFormat named = format_of(path);
@@ -456,9 +513,30 @@ void Session::save(const fs::path& path) {
     const MapFormat format = both_exr ? MapFormat::exr_half : named;
     std::error_code ignored;
     if (!s.start_map.empty() && fs::equivalent(path, s.start_map, ignored))
-        s.recorder->keep_base(s.start_map);
+        s.recorder->keep_base(BaseFile::map, s.start_map);
+    if (!colour_path.empty()) {
+        if (!s.colours.there())
+            throw std::invalid_argument(colour_path.string() + ": there is no colour map to save");
+        check_colour_path(colour_path);
+        const fs::path& start = s.colours.start_file();
+        if (!start.empty() && fs::equivalent(colour_path, start, ignored))
+            s.recorder->keep_base(BaseFile::colours, start);
+        s.colours.save(colour_path);
+    }
     save_map(s.file.map, path, format, s.file.range, format == s.file.format ? s.file.origin.get() : nullptr);
-    confirm_saved(path);
+    confirm_saved(path, colour_path);
+}
+
+fs::path Session::colour_path_for(const fs::path& map) const {
+    const State& s = *state_;
+    if (!s.colours.there()) return {};
+    std::error_code ignored;
+    const bool own_file =
+        s.map_path && (fs::absolute(map).lexically_normal() == s.map_path->lexically_normal() ||
+                       fs::equivalent(map, *s.map_path, ignored));
+    const fs::path& file = s.colours.file();
+    if (!own_file || file.empty()) return s.colours.path_beside(map);
+    return s.colour_steps.unsaved() ? file : fs::path();
 }
 
 void Session::export_map(const fs::path& path, MapFormat format, MapRange range) const {
@@ -469,11 +547,24 @@ void Session::export_map(const fs::path& path, MapFormat format, MapRange range)
     save_map(state_->file.map, path, format, range);
 }
 
-void Session::confirm_saved(const fs::path& path) {
+void Session::export_colours(const fs::path& path) const {
+    state_->require_no_stroke();
+    if (!state_->colours.there()) throw std::invalid_argument("there is no colour map to export");
+    state_->colours.save(path);
+}
+
+void Session::confirm_saved(const fs::path& path, const fs::path& colour_path) {
     State& s = *state_;
     s.map_path = fs::absolute(path);
-    s.steps.mark_saved();
-    s.recorder->record(SaveOp{*s.map_path, s.file.map.hash()});
+    SaveOp op{*s.map_path, s.file.map.hash()};
+    if (!colour_path.empty() && s.colours.there()) {
+        s.colours.set_file(fs::absolute(colour_path));
+        s.colour_steps.mark_saved();
+        op.colour_map = s.colours.file();
+        op.colour = s.colours.map().hash();
+    }
+    if (!s.colour_steps.unsaved()) s.steps.mark_saved();
+    s.recorder->record(op);
 }
 
 bool Session::revert() {
@@ -504,6 +595,10 @@ std::size_t Session::undo_budget() const {
 }
 std::size_t Session::clipped_texels() const {
     return state_->sculptor->clipped_texels();
+}
+std::optional<fs::path> Session::colour_path() const {
+    const fs::path& file = state_->colours.file();
+    return file.empty() ? std::nullopt : std::optional(file);
 }
 std::optional<fs::path> Session::map_path() const {
     return state_->map_path;

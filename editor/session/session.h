@@ -2,6 +2,7 @@
 // commands, and every command that changes something goes into the journal.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -12,6 +13,7 @@
 
 #include "brushes/alpha.h"
 #include "brushes/brush.h"
+#include "brushes/colour_map.h"
 #include "brushes/height_map.h"
 #include "brushes/map_file.h"
 #include "brushes/surface.h"
@@ -32,6 +34,7 @@ struct SessionOptions {
     std::filesystem::path journal;                     // a new file to record the session in; empty: none
     bool recovery = false;      // also record it in the user's state folder (recovery.h)
     std::filesystem::path map;  // start from this map instead of the scene's; save() still means the scene's
+    std::filesystem::path colour_map;  // likewise, instead of the edited object's albedo map
     std::string method;         // empty: the scene's, else the registry's default
     std::map<std::string, double> parameters;  // of the method, over the scene's
     int width = 0, height = 0;                 // pixels; 0: the scene's
@@ -63,6 +66,13 @@ class Session {
     // ever masked.
     const HeightMap* mask() const;
     std::uint64_t mask_revision() const;  // changes whenever mask() does
+    // What strokes paint, of the edited object: its albedo map, or what make_colours() made. Null: there is
+    // none.
+    const ColourMap* colours() const;
+    std::uint64_t colour_revision() const;  // changes whenever colours() does
+    // sRGB-encoded red, green and blue of the surface at a hit, [0, 1]: the nearest texel of the colour map,
+    // or, where the object has none in this session, the material's albedo.
+    std::array<float, 3> colour_at(const PickHit& hit) const;
     const Surface& surface() const;
     bool has_renderer() const;
     Renderer& renderer();  // throws std::logic_error without one
@@ -99,8 +109,9 @@ class Session {
     // Commands. Each is journaled when it is complete; a stroke is written and flushed at its end, with its
     // dabs; one without dabs leaves no trace. All but dab, end_stroke and cancel_stroke throw
     // std::logic_error in a stroke.
-    void begin_stroke();  // with brush(); std::invalid_argument when a setting is out of its range, the
-                          // heights are procedural, stamp has no image or clone no source
+    // With brush(). std::invalid_argument when a setting is out of its range, the heights are procedural, stamp
+    // has no image, clone no source, or the brush paints and there is no colour map of the map's size.
+    void begin_stroke();
     // Copies that the brush's symmetry makes are found here, and so are clone's sources and the turn that the
     // dab holds of them; both are journaled with it. std::out_of_range when the mesh has no such face.
     void dab(const Dab& dab);
@@ -113,6 +124,10 @@ class Session {
     bool undo();  // false: nothing to undo
     bool redo();
     void change_mask(MaskCommand command);                    // one undo step
+    // A colour map of the map's size, filled with the material's albedo, that the renderer shows in the
+    // albedo's place. No undo step. std::invalid_argument where there is one already, on bits other than 8
+    // and 16, while the heights are procedural, or when memory would not do.
+    void make_colours(int bits);
     void set(const std::string& key, const SetValue& value);  // keys: settings.h; std::invalid_argument
     void set_camera(const Camera& camera);
     // Procedural heights become a map of that many texels, to be sculpted; there is no way back but to open the scene
@@ -120,24 +135,35 @@ class Session {
     void bake(const ImageSize& size);
     // Writes the map. The extension names the format; metadata and exact values of the file that was loaded
     // are kept where the format is the same. std::invalid_argument when it cannot be written: the old file
-    // stays whole.
-    void save(const std::filesystem::path& path);
+    // stays whole. `colour_path`: where the colour map is written, too, first; empty: not at all, and it
+    // stays unsaved.
+    void save(const std::filesystem::path& path, const std::filesystem::path& colour_path);
+    void save(const std::filesystem::path& path) { save(path, colour_path_for(path)); }
+    // Where save() writes the colour map when it writes the map to `map`: its own file where the map goes to
+    // its own, else a new NAME_colour.png (or the ending that it has) beside it. Empty where there is nothing
+    // to write: no colour map, or one that its file holds already.
+    std::filesystem::path colour_path_for(const std::filesystem::path& map) const;
     // Writes the map as another file, with the values of `range` where the format holds floats; what save()
     // would write, and whether that is due, stays. std::invalid_argument as save().
     void export_map(const std::filesystem::path& path, MapFormat format, MapRange range) const;
+    // The same of the colour map, with its bits: PNG or TIFF. std::invalid_argument where there is none.
+    void export_colours(const std::filesystem::path& path) const;
     // Undoes or redoes back to what was last saved or loaded. False when those steps were dropped for memory.
     bool revert();
 
-    bool unsaved() const;  // the map differs from what was last saved or loaded
+    bool unsaved() const;  // the map or the colour map differs from what was last saved or loaded
     bool can_undo() const;
     bool can_redo() const;
     std::size_t undo_bytes() const;
     std::size_t undo_budget() const;
     std::size_t clipped_texels() const;
+    // The colour map's own file: the scene's, or where save() last wrote it.
+    std::optional<std::filesystem::path> colour_path() const;
     std::optional<std::filesystem::path> map_path() const;  // where save() last wrote or the map came from
 
-    // The map as it is now is what `path` holds: replaying the record of a save says so.
-    void confirm_saved(const std::filesystem::path& path);
+    // Map and colour map (where `colour_path` is not empty) as they are now are what the files hold:
+    // replaying the record of a save says so.
+    void confirm_saved(const std::filesystem::path& path, const std::filesystem::path& colour_path = {});
     // The user chose to lose what is unsaved: the recovery journal goes.
     void discard_recovery();
     // Why a journal could not be written (a full disk, say); empty while all is well. The session goes on

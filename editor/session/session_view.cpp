@@ -1,6 +1,7 @@
 // The session's renderer: follows the map and the settings, and times each stage.
 #include "editor/session/session_view.h"
 
+#include "renderer/stopwatch.h"
 #include "renderer/vulkan/context.h"
 
 namespace relievo {
@@ -14,6 +15,19 @@ std::vector<HeightView> views_of(std::span<const HeightMap* const> maps) {
     std::vector<HeightView> views;
     for (const HeightMap* map : maps) views.push_back(view_of(*map));
     return views;
+}
+
+// One an object; the others' files are the renderer's to read.
+std::vector<ColourView> colours_of(const Scene& scene, const ColourView& first) {
+    std::vector<ColourView> views(scene.objects.size());
+    views.front() = first;
+    return views;
+}
+
+std::vector<TexelRegion> regions_of(std::span<const TexelRect> rects) {
+    std::vector<TexelRegion> regions;
+    for (const TexelRect& rect : rects) regions.push_back({rect.x0, rect.y0, rect.x1, rect.y1});
+    return regions;
 }
 
 void follow_with(Renderer& renderer, SettingScope scope, const Scene& scene) {
@@ -37,7 +51,7 @@ void follow_with(Renderer& renderer, SettingScope scope, const Scene& scene) {
 }  // namespace
 
 SessionView::SessionView(const Scene& scene, std::span<const HeightMap* const> maps,
-                         const SessionOptions& options)
+                         const ColourView& colours, const SessionOptions& options)
     : context_(std::make_unique<vulkan::Context>(
           vulkan::ContextOptions{options.device, options.validation, options.for_window})),
       path_(options.path) {
@@ -47,13 +61,14 @@ SessionView::SessionView(const Scene& scene, std::span<const HeightMap* const> m
     settings.method = scene.method.name;
     settings.parameters = scene.method.parameters;
     settings.path = options.path;
-    renderer_ = std::make_unique<Renderer>(*context_, scene, views_of(maps), settings);
+    renderer_ =
+        std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours));
 }
 
 SessionView::~SessionView() = default;
 
 Renderer& SessionView::compare_with(const Scene& scene, std::span<const HeightMap* const> maps,
-                                    const MethodChoice& method) {
+                                    const ColourView& colours, const MethodChoice& method) {
     if (second_) {
         second_->set_method(method.name, method.parameters);
         return *second_;
@@ -64,15 +79,15 @@ Renderer& SessionView::compare_with(const Scene& scene, std::span<const HeightMa
     settings.method = method.name;
     settings.parameters = method.parameters;
     settings.path = path_;
-    second_ = std::make_unique<Renderer>(*context_, scene, views_of(maps), settings);
+    second_ =
+        std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours));
     return *second_;
 }
 
 void SessionView::upload(const HeightMap& map, std::span<const TexelRect> rects, StageTimes& times) {
     times.upload_ms = times.bounds_ms = times.refit_ms = 0;
     if (rects.empty()) return;
-    std::vector<TexelRegion> regions;
-    for (const TexelRect& rect : rects) regions.push_back({rect.x0, rect.y0, rect.x1, rect.y1});
+    const std::vector<TexelRegion> regions = regions_of(rects);
     const UploadStats stats = renderer_->upload(0, view_of(map), regions);
     times.upload_ms = stats.copy_ms;
     times.bounds_ms = stats.bounds_ms;
@@ -82,6 +97,20 @@ void SessionView::upload(const HeightMap& map, std::span<const TexelRect> rects,
     times.upload_ms += more.copy_ms;
     times.bounds_ms += more.bounds_ms;
     times.refit_ms += more.refit_ms;
+}
+
+void SessionView::upload_colours(const ColourView& colours, std::span<const TexelRect> rects,
+                                 StageTimes& times) {
+    if (rects.empty()) return;
+    Stopwatch watch;
+    renderer_->upload_colours(0, colours, regions_of(rects));
+    if (second_) second_->upload_colours(0, colours, regions_of(rects));
+    times.upload_ms += watch.lap_ms();
+}
+
+void SessionView::set_colours(const ColourView& colours) {
+    renderer_->set_colours(0, colours);
+    if (second_) second_->set_colours(0, colours);
 }
 
 void SessionView::follow(SettingScope scope, const Scene& scene) {

@@ -14,20 +14,24 @@ namespace relievo {
 
 class SessionView {
   public:
-    // `maps`: one a scene object, read during the call only. `scene` outlives the view. Throws as Renderer
-    // does.
-    SessionView(const Scene& scene, std::span<const HeightMap* const> maps, const SessionOptions& options);
+    // `maps`: one a scene object, and `colours`: of objects[0], read during the call only. `scene` outlives
+    // the view. Throws as Renderer does.
+    SessionView(const Scene& scene, std::span<const HeightMap* const> maps, const ColourView& colours,
+                const SessionOptions& options);
     ~SessionView();
 
     Renderer& renderer() { return *renderer_; }
     // The second renderer, made or told its method.
     Renderer& compare_with(const Scene& scene, std::span<const HeightMap* const> maps,
-                           const MethodChoice& method);
+                           const ColourView& colours, const MethodChoice& method);
     void stop_comparing() { second_.reset(); }
     vulkan::Context& context() { return *context_; }
 
     // Texels of objects[0] that changed. Fills upload_ms, bounds_ms and refit_ms, of both renderers together.
     void upload(const HeightMap& map, std::span<const TexelRect> rects, StageTimes& times);
+    // The same of its colours; adds to upload_ms.
+    void upload_colours(const ColourView& colours, std::span<const TexelRect> rects, StageTimes& times);
+    void set_colours(const ColourView& colours);          // there were none
     void follow(SettingScope scope, const Scene& scene);  // all but heights
     // objects[0] has other heights.
     void set_heights(const Displacement& displacement, const HeightMap& map);

@@ -78,10 +78,11 @@ Displacement read_displacement(const JsonNode& node, const std::filesystem::path
     return d;
 }
 
-Material read_material(const JsonNode& node) {
+Material read_material(const JsonNode& node, const std::filesystem::path& folder) {
     node.require_keys(scene_keys("objects[].material"));
     Material m;
     if (node.has("albedo")) m.albedo = glm::vec3(node["albedo"].vector3(kUnit));
+    if (node.has("albedo_map")) m.albedo_map = file_of(node["albedo_map"], folder);
     if (node.has("roughness")) m.roughness = static_cast<float>(node["roughness"].number({0.02, 1}));
     if (node.has("specular")) m.specular = static_cast<float>(node["specular"].number(kUnit));
     return m;
@@ -127,7 +128,7 @@ SceneObject read_object(const JsonNode& node, const std::filesystem::path& folde
     constexpr std::string_view kNormals[] = {"file", "smooth"};
     if (node.has("normals") && node["normals"].one_of(kNormals) == 1) object.normals = NormalSource::smooth;
     if (node.has("displacement")) object.displacement = read_displacement(node["displacement"], folder);
-    if (node.has("material")) object.material = read_material(node["material"]);
+    if (node.has("material")) object.material = read_material(node["material"], folder);
     if (node.has("opacity_map")) object.opacity_map = file_of(node["opacity_map"], folder);
     if (node.has("transform")) object.transform = read_transform(node["transform"]);
     return object;

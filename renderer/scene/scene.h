@@ -45,6 +45,7 @@ struct Displacement {
 
 struct Material {
     glm::vec3 albedo{0.6f, 0.57f, 0.53f};  // linear, [0, 1]
+    std::filesystem::path albedo_map;      // in the albedo's place; absolute after loading; empty: none
     float roughness = 0.6f;                // [0.02, 1]
     float specular = 0.04f;                // reflectance at normal incidence, [0, 1]; 0 leaves gloss out
 };

@@ -17,7 +17,7 @@ constexpr std::string_view kObject[] = {"name",     "mesh",        "normals",  "
 constexpr std::string_view kDisplacement[] = {"map",      "size",  "procedural", "amplitude",
                                               "midlevel", "range", "wrap"};
 constexpr std::string_view kProcedural[] = {"exemplar", "scale", "offset", "seed", "triangle_size"};
-constexpr std::string_view kMaterial[] = {"albedo", "roughness", "specular"};
+constexpr std::string_view kMaterial[] = {"albedo", "albedo_map", "roughness", "specular"};
 constexpr std::string_view kTransform[] = {"translate", "rotate_deg", "scale"};
 constexpr std::string_view kCamera[] = {"eye", "look_at", "up", "fov_deg"};
 constexpr std::string_view kImage[] = {"width", "height", "spp"};

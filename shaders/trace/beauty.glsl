@@ -19,6 +19,7 @@ vec4 radiance_along(vec3 d, uint pixel, bool preview) {
     PrimitiveNormals n = normals[h.primitive];
     Shading s;
     s.ob = object_data(p.object);
+    s.ob.albedo = albedo_at(p, s.ob, h.b);
     s.point = frame.eye + d * h.t;
     s.view = -d;
     s.ng = geometric_normal(p, n, s.ob, h.b);

@@ -11,6 +11,7 @@ layout(constant_id = 4) const bool kSky = true;
 layout(constant_id = 5) const uint kNotes = 0u;  // kNotes* of shared.h
 layout(constant_id = 6) const bool kSearch = true;
 layout(constant_id = 7) const bool kProcedural = true;
+layout(constant_id = 8) const bool kAlbedo = true;
 
 layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { FrameData frame; };
 layout(set = 0, binding = kBindPrimitives, scalar) readonly buffer PrimitiveBlock { Primitive primitives[]; };
@@ -20,6 +21,7 @@ layout(set = 0, binding = kBindMaps) uniform sampler2D maps[kObjects];
 layout(set = 0, binding = kBindOpacity) uniform sampler2D opacity_maps[kObjects];
 layout(set = 0, binding = kBindPyramids) uniform sampler2D pyramids[kObjects];
 layout(set = 0, binding = kBindProcedural, scalar) readonly buffer ProceduralBlock { ProceduralData procedural_sources[]; };
+layout(set = 0, binding = kBindAlbedo) uniform sampler2D albedo_maps[kObjects];
 layout(push_constant, scalar) uniform PushBlock { PushData push; };
 
 #include "../geometry/dialect.glsl"
@@ -102,6 +104,14 @@ bool opaque_at(Primitive p, vec2 b) {
     vec2 uv = uv_at(p, b);
     if (kObjects == 1u) return textureLod(opacity_maps[0], uv, 0.0).r >= 0.5;
     return textureLod(opacity_maps[nonuniformEXT(p.object)], uv, 0.0).r >= 0.5;
+}
+
+// Linear: the material's, or its map's in the place of it.
+vec3 albedo_at(Primitive p, ObjectData ob, vec2 b) {
+    if (!kAlbedo || ob.albedo_map == 0u) return ob.albedo;
+    vec2 uv = uv_at(p, b);
+    if (kObjects == 1u) return textureLod(albedo_maps[0], uv, 0.0).rgb;
+    return textureLod(albedo_maps[nonuniformEXT(p.object)], uv, 0.0).rgb;
 }
 
 void note_hit(Primitive p, SurfaceHit hit) {

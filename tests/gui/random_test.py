@@ -15,7 +15,7 @@ from desktop import Desktop, Editor, operations
 from hands import Hands
 
 SIZE = (1000, 640)
-KEYS = ("1 2 3 4 5 6 7 8 9 bracketleft bracketright f x y z a KP_1 KP_3 KP_5 KP_7 v v c F2 Tab Escape space "
+KEYS = ("1 2 3 4 5 6 7 8 9 bracketleft bracketright f x y z a KP_1 KP_3 KP_5 KP_7 v v c p p s F2 Tab Escape space "
         "BackSpace Left Right Up Down").split()
 HELD = ([], [], ["Shift_L"], ["Control_L"], ["Alt_L"], ["Control_L", "Shift_L"])
 EDITS = [("z", ["Control_L"]), ("z", ["Control_L", "Shift_L"]), ("y", ["Control_L"]), ("s", ["Control_L"])]
@@ -174,8 +174,13 @@ def run(options, folder):
 
 
 def check(options, folder, journal, first, last):
-    replayed = os.path.join(folder, "replayed.tif")
-    subprocess.run([options.relievo, "replay", journal, "-o", replayed], check=True, capture_output=True)
+    replayed, colours = os.path.join(folder, "replayed.tif"), os.path.join(folder, "last_colour.png")
+    painted = os.path.exists(colours)
+    also = ["--colour-output", os.path.join(folder, "replayed.png")] if painted else []
+    subprocess.run([options.relievo, "replay", journal, "-o", replayed, *also], check=True, capture_output=True)
+    if painted:
+        first_colours, last_colours = (open(path, "rb").read() for path in (colours, also[1]))
+        assert first_colours == last_colours, "the journal replays to other colours"
     contents = [open(path, "rb").read() for path in (first, last, replayed)]
     assert contents[1] == contents[0], "undo did not lead back to the first map"
     assert contents[2] == contents[0], "the journal replays to another map"

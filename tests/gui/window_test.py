@@ -414,6 +414,56 @@ def new_map_export_and_revert(case):
     editor.ended()
 
 
+def redness(screen, box):
+    """Mean of red minus blue, -255 to 255; the buffer holds blue, green, red and a spare byte."""
+    pixels = screen.box(*box)
+    return (sum(pixels[2::4]) - sum(pixels[0::4])) / (len(pixels) / 4)
+
+
+def painting_goes_to_a_colour_map(case):
+    editor = case.open(case.journal)
+    case.desktop.do("mousemove", 300, 30)
+    before = case.desktop.settled_screen()
+    case.desktop.key("p")  # colours alone
+    for _ in range(4):
+        stroke = case.stroke(case.journal)
+    assert stroke["brush"]["paint"] == "colour", stroke
+    made = [op for op in operations(case.journal) if op["op"] == "colour_map"]
+    assert made == [{"op": "colour_map", "bits": 8}], made
+    case.desktop.do("mousemove", 300, 30)
+    after = case.desktop.settled_screen()
+    near, far = (redness(after, box) - redness(before, box) for box in (NEAR, FAR))
+    assert near > 4 and abs(far) < 0.5, f"red grew by {near} near the stroke and by {far} far from it"
+
+    case.desktop.do("mousemove", *STROKE[15])  # the middle of what was painted
+    time.sleep(1)
+    case.desktop.key("s")
+    case.desktop.key("p")  # both
+    both = case.stroke(case.journal, [(260, 330), (300, 345)])
+    assert both["brush"]["paint"] == "both", both
+    taken = [both["brush"].get(part, standard) for part, standard in (("red", 0.8), ("green", 0.3), ("blue", 0.2))]
+    assert taken[0] > taken[1] > 0.2 and taken != [0.8, 0.3, 0.2], taken
+    case.desktop.key("ctrl+z")
+    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
+    case.desktop.key("ctrl+y")
+    wait_for("the redo", lambda: operations(case.journal)[-1]["op"] == "redo")
+
+    saved = os.path.join(case.folder, "saved.tif")
+    editor.save_as(saved)
+    colours = os.path.join(case.folder, "saved_colour.png")
+    wait_for("the colours", lambda: os.path.exists(colours))
+    wait_for("the record of the save", lambda: operations(case.journal)[-1]["op"] == "save")
+    wait_for("a scene that names both", lambda: "saved" in case.preferences()["recent"][0])
+    case.desktop.key("ctrl+q")
+    editor.ended()
+    assert not case.recovery_journals(), "nothing is unsaved, but a recovery journal stayed"
+    replayed = [os.path.join(case.folder, name) for name in ("replayed.tif", "replayed.png")]
+    subprocess.run([case.relievo, "replay", case.journal, "-o", replayed[0], "--colour-output", replayed[1]], check=True,
+                   capture_output=True)
+    case.same_bytes(saved, replayed[0])
+    case.same_bytes(colours, replayed[1])
+
+
 def no_display(case):
     environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
     result = subprocess.run([case.relievo, "edit", case.scene], env=environment, capture_output=True, text=True)
@@ -447,4 +497,5 @@ if __name__ == "__main__":
          moving_tools_and_mask_survive_a_kill, quit_asks_for_unsaved_work, resized_and_reopened,
          views_show_the_surface_each_in_its_way, two_methods_side_by_side_while_sculpting,
          why_this_pixel_lists_its_ray, first_start_opens_the_sample_with_a_hint,
-         views_are_kept_and_drags_cancelled, new_map_export_and_revert, no_display))
+         views_are_kept_and_drags_cancelled, new_map_export_and_revert,
+         painting_goes_to_a_colour_map, no_display))

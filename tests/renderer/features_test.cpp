@@ -109,7 +109,7 @@ TEST(Features, EverythingIsBuiltWhenItIsAskedFor) {
     const FeatureReport report =
         describe_features(scene, request, derive_features(scene, request), resolve_parameters(*request.method, {}));
     for (const Feature& f : report.features) {
-        const std::set<std::string> named{"shadows", "sky light", "gloss", "opacity maps", "min-max pyramid"};
+        const std::set<std::string> named{"shadows", "sky light", "gloss", "opacity maps", "min-max pyramid", "albedo maps"};
         if (!named.contains(f.name)) continue;
         EXPECT_TRUE(f.built) << f.name;
         EXPECT_EQ(f.reason, "everything was asked for") << f.name;

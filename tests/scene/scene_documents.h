@@ -79,7 +79,8 @@ inline constexpr SceneDocument kSceneDocuments[] = {
      "objects[0].displacement.range: must be [low, high] with low under high"},
     {Verdict::bad, R"(object "displacement": {"wrap": "mirror"})",
      "objects[0].displacement.wrap: is 'mirror', must be 'repeat' or 'clamp'"},
-    {Verdict::good, R"(object "displacement": {"procedural": {"exemplar": "quad.obj"}, "range": [-1, 1]})", ""},
+    {Verdict::good, R"(object "displacement": {"procedural": {"exemplar": "quad.obj"}, "range": [-1, 1]})",
+     ""},
     {Verdict::good,
      R"(object "displacement": {"procedural": {"exemplar": "quad.obj", "scale": 0.001, "offset": [-1000, 3.5],
         "seed": 2147483647, "triangle_size": 1000}, "amplitude": -1, "midlevel": 0})",
@@ -102,7 +103,8 @@ inline constexpr SceneDocument kSceneDocuments[] = {
     {Verdict::bad, R"(object "displacement": {"procedural": {"exemplar": "quad.obj", "triangle_size": 1e4}})",
      "objects[0].displacement.procedural.triangle_size: is 10000, must be in [0.001, 1000]"},
     {Verdict::bad, R"(object "displacement": {"procedural": {"exemplar": "quad.obj", "seeds": 1}})",
-     "objects[0].displacement.procedural.seeds: unknown key; did you mean 'seed'? (known: exemplar, scale, offset, "
+     "objects[0].displacement.procedural.seeds: unknown key; did you mean 'seed'? (known: exemplar, scale, "
+     "offset, "
      "seed, triangle_size)"},
 
     {Verdict::good, R"(object "material": {"albedo": [0, 0.5, 1], "roughness": 0.02, "specular": 0})", ""},
@@ -110,6 +112,13 @@ inline constexpr SceneDocument kSceneDocuments[] = {
      "objects[0].material.albedo: has 2 items, must have 3"},
     {Verdict::bad, R"(object "material": {"albedo": [0, 0.5, 2]})",
      "objects[0].material.albedo[2]: is 2, must be in [0, 1]"},
+    {Verdict::good, R"(object "material": {"albedo_map": "quad.obj"})", ""},
+    {Verdict::bad, R"(object "material": {"albedo_map": [1, 1, 1]})",
+     "objects[0].material.albedo_map: is an array, must be a string"},
+    {Verdict::bad_beyond_schema, R"(object "material": {"albedo_map": "a.png"})", ""},
+    {Verdict::bad, R"(object "material": {"colour_map": "a.png"})",
+     "objects[0].material.colour_map: unknown key (known: albedo, albedo_map, roughness, "
+     "specular)"},
     {Verdict::bad, R"(object "material": {"roughness": 0})",
      "objects[0].material.roughness: is 0, must be in [0.02, 1]"},
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "brushes/colour_file.h"
 #include "editor/session/session.h"
 #include "tests/session/test_scene.h"
 
@@ -42,6 +43,20 @@ TEST_F(DerivedScene, AMeshOpensWithANewMap) {
     EXPECT_EQ(session.map().width(), 1024);
     EXPECT_FALSE(session.map_path());
     EXPECT_EQ(scene_of_mesh(at("sheet.obj")), scene) << "the same mesh is the same recent file";
+}
+
+TEST_F(DerivedScene, SavedHeightsAndColoursOpenTogether) {
+    save_map(HeightMap(33, 20, 7), at("other.tif"), MapFormat::tiff16);
+    save_colours(ColourMap(33, 20, 16, {1, 2, 3}), at("other_colour.png"));
+    const fs::path scene = scene_with_maps(scene_, at("other.tif"), at("other_colour.png"));
+    Session session(scene, test::headless());
+    EXPECT_EQ(session.map_path(), at("other.tif"));
+    ASSERT_NE(session.colours(), nullptr);
+    EXPECT_EQ(session.colours()->plane(2).at(0, 0), 3);
+    EXPECT_THROW(scene_with_maps(scene_, at("other.tif"), at("none.png")), std::invalid_argument);
+    // Another map goes into that scene, whose own files it still names.
+    Session again(scene_with_map(scene, at("other.tif")), test::headless());
+    EXPECT_NE(again.colours(), nullptr);
 }
 
 TEST_F(DerivedScene, AMeshThatCannotBeUsedLeavesNoScene) {

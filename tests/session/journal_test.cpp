@@ -39,7 +39,7 @@ std::string error_of(const std::string& text) {
 
 TEST(Journal, EveryOperationReadsBackEqual) {
     JournalHeader header{"0.1.0", "../a scene/\"quoted\" ä.json", 0x0123456789abcdef, 0xf, 8192, 1, 0.1, -0.3,
-                         1u << 29};
+                         1u << 29, "colours.png", 0xfedcba9876543210};
     Dab last{4294967295u, 22300, 1048576, 0, 0};
     const std::vector<JournalOp> ops{
         StrokeOp{Brush{}, {Dab{}, last}},

@@ -30,6 +30,15 @@ TEST(MemoryEstimate, WhatIsKeptOfAFileCounts) {
     EXPECT_GT(estimate_memory({1024, 1024, 2, MapFormat::exr_half}, false, false).editing, grey + 2'000'000);
 }
 
+TEST(MemoryEstimate, ColoursTakeThreePlanesAndFourChannelsOnTheDevice) {
+    const MapMemory eight = estimate_colour_memory({1000, 1000, 8, 3}, true);
+    EXPECT_EQ(eight.editing, 6'000'000u);
+    EXPECT_EQ(eight.device, 4'000'000u);
+    const MapMemory with_alpha = estimate_colour_memory({1000, 1000, 16, 4}, false);
+    EXPECT_EQ(with_alpha.editing, 6'000'000u + 8'000'000u) << "the alpha is kept for saving";
+    EXPECT_EQ(with_alpha.device, 0u);
+}
+
 TEST(MemoryEstimate, RefusalNamesMapSizeAndBothAmounts) {
     const MapInfo info{8192, 4096, 2, MapFormat::tiff16};
     const MapMemory need = estimate_memory(info, true, true);

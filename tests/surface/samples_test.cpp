@@ -121,5 +121,39 @@ TEST(Samples, strokes_over_seams_leave_no_gap) {
     }
 }
 
+// Slanted seams of 8 bits may differ by one value more: both sides are rounded.
+TEST(Samples, painting_over_seams_leaves_none_to_see) {
+    for (const auto& path : sample_meshes()) {
+        const Mesh mesh = load(path);
+        float size = 0;
+        for (const glm::vec3& p : mesh.positions) size = std::max(size, glm::length(p));
+        HeightMap map(kSize, kSize);
+        const MeshSurface surface(mesh, displacement(0.2 * static_cast<double>(size)), map);
+        const std::vector<Dab> dabs = dabs_on_seams(mesh, map, 0.15f * size);
+        for (const int bits : {8, 16}) {
+            ColourMap colours(kSize, kSize, bits, {50 * 257, 150 * 257, 200 * 257});
+            Sculptor sculptor(map, surface);
+            sculptor.set_colours(colours);
+            Brush brush;
+            brush.radius = 0.1f * size;
+            brush.paint = Paint::colour;
+            brush.red = 1.0f, brush.green = 0.1f, brush.blue = 0.3f;
+            sculptor.begin(brush);
+            for (const Dab& dab : dabs) {
+                for (int i = 0; i < 3; ++i) sculptor.dab(dab);
+            }
+            sculptor.end();
+            for (std::size_t k = 0; k < 3; ++k) {
+                const HeightMap& plane = colours.plane(k);
+                const auto [low, high] = std::minmax_element(plane.texels().begin(), plane.texels().end());
+                EXPECT_EQ(max_seam_gap(mesh, plane, Wrap::repeat, true), 0) << path;
+                EXPECT_LE(max_seam_gap(mesh, plane, Wrap::repeat, false),
+                          0.02 * (*high - *low) + (bits == 8 ? 257 : 0))
+                    << path << ", " << bits << " bits, of " << *high - *low;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace relievo

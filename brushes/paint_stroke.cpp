@@ -1,0 +1,117 @@
+// See paint_stroke.h.
+#include "brushes/paint_stroke.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "brushes/dab_work.h"
+#include "brushes/pressed_image.h"
+
+namespace relievo {
+
+PaintStroke::PaintStroke(const Brush& brush, const Alpha* alpha, ColourMap& map, const Seams& seams)
+    : brush_(brush),
+      alpha_(alpha),
+      seams_(seams),
+      piles_up_(holds(tool_set({Tool::clay, Tool::crease}), brush.tool) ||
+                (brush.accumulate && brush.tool != Tool::level)),
+      part_of_pass_(brush.tool == Tool::stamp ? 1.0f : brush.spacing / kUnitSpacing),
+      colour_{brush.red * kTop, brush.green * kTop, brush.blue * kTop} {
+    for (std::size_t k = 0; k < planes_.size(); ++k)
+        planes_[k] = std::make_unique<StrokeTiles>(map.plane(k), map.step());
+}
+
+// Sorted by (y, x), each texel once.
+std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> places, float pressure,
+                                                      const HeightMap* mask) const {
+    std::vector<Weight> all;
+    std::vector<SurfaceTexel> texels;
+    for (const Place& place : places) {
+        place.surface.texels_in_ball(place.centre.position, place.radius, texels);
+        std::optional<PressedImage> image;
+        if (alpha_)
+            image.emplace(*alpha_, place.centre, place.radius, place.right, brush_.rotation, texels.size());
+        for (const SurfaceTexel& t : texels) {
+            const float falloff =
+                falloff_weight(brush_.falloff, brush_.hardness, std::min(t.distance / place.radius, 1.0f));
+            const float free = mask ? 1.0f - static_cast<float>(mask->at(t.x, t.y)) / kTop : 1.0f;
+            const float shown = image ? std::clamp(image->at(t), 0.0f, 1.0f) : 1.0f;
+            const float weight = brush_.strength * pressure * falloff * free * shown;
+            if (weight > 0.0f) all.push_back({t.x, t.y, weight});
+        }
+    }
+    if (places.size() == 1) return all;
+    std::sort(all.begin(), all.end(), [](const Weight& a, const Weight& b) {
+        return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : a.of_way > b.of_way;
+    });
+    const auto same_texel = [](const Weight& a, const Weight& b) { return a.x == b.x && a.y == b.y; };
+    all.erase(std::unique(all.begin(), all.end(), same_texel), all.end());  // keeps the first, the largest
+    return all;
+}
+
+void PaintStroke::smooth_planes(std::span<const Place> places, float pressure, const HeightMap* mask) {
+    std::shared_ptr<Hold> nothing_held;
+    for (auto& plane : planes_) {
+        std::vector<TexelChange> changes;
+        for (const Place& place : places) {
+            const DabPlace at{place.centre, pressure, place.radius, glm::vec3(0),
+                              glm::vec3(0), 1.0f,     nothing_held};
+            std::vector<TexelChange> own;
+            smooth({brush_, at, place.surface, seams_, *plane, mask, 1.0, own});
+            changes.insert(changes.end(), own.begin(), own.end());
+        }
+        apply_together(std::move(changes), false, *plane);
+        seams_.follow(*plane);
+    }
+}
+
+void PaintStroke::dab(std::span<const Place> places, float pressure, const HeightMap* mask) {
+    if (brush_.tool == Tool::smooth) return smooth_planes(places, pressure, mask);
+    const std::vector<Weight> weights = this->weights(places, pressure, mask);
+    for (std::size_t k = 0; k < planes_.size(); ++k) {
+        StrokeTiles& plane = *planes_[k];
+        for (const Weight& w : weights) {
+            const float before = static_cast<float>(plane.before(w.x, w.y)), change = plane.change(w.x, w.y);
+            if (piles_up_) {
+                const float part = std::min(w.of_way * part_of_pass_, 1.0f);
+                const float step = (colour_[k] - (before + change)) * part;
+                if (step != 0.0f) plane.set_change(w.x, w.y, change + step);
+            } else {
+                const float wanted = (colour_[k] - before) * w.of_way;
+                if (std::abs(wanted) > std::abs(change)) plane.set_change(w.x, w.y, wanted);
+            }
+        }
+        seams_.follow(plane);
+    }
+}
+
+void PaintStroke::settle(const HeightMap* mask) {
+    for (auto& plane : planes_) seams_.settle(*plane, mask);
+}
+
+std::vector<TexelRect> PaintStroke::take_dirty() {
+    std::vector<TexelRect> rects;
+    for (auto& plane : planes_)
+        for (const TexelRect& rect : plane->take_dirty()) rects.push_back(rect);
+    return joined_by_tile(rects, planes_[0]->grid());
+}
+
+std::vector<TexelRect> PaintStroke::restore() {
+    std::vector<TexelRect> rects;
+    for (auto& plane : planes_)
+        for (const TexelRect& rect : plane->restore())
+            if (!rect.empty()) rects.push_back(rect);
+    return joined_by_tile(rects, planes_[0]->grid());
+}
+
+std::vector<TexelRect> joined_by_tile(std::span<const TexelRect> rects, const TileGrid& grid) {
+    std::map<std::uint32_t, TexelRect> of_tile;
+    for (const TexelRect& rect : rects) of_tile[grid.tile_of(rect.x0, rect.y0)].include(rect);
+    std::vector<TexelRect> joined;
+    for (const auto& [tile, rect] : of_tile) joined.push_back(rect);
+    return joined;
+}
+
+}  // namespace relievo
