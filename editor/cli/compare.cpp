@@ -39,7 +39,7 @@ int run_compare(const CompareVerb& verb) {
     options.device = session.device;
     options.path = session.path;
     if (const double least = least_seconds(options); options.budget_s > 0 && options.budget_s < least)
-        std::cerr << "relievo: --budget: every method is measured once on every scene, which takes about "
+        std::cerr << "relievo: --budget: the first method is measured once on every scene, which takes about "
                   << time_text(least) << "\n";
     ProgressBar bar("comparing");
     CompareListener listener;

@@ -35,7 +35,7 @@ struct CompareListener {
 // "exact,pdm" to names of the registry, each once. Throws std::invalid_argument naming --methods.
 std::vector<std::string> parse_methods(const std::string& list);
 
-// About what it takes at least, however small the budget: every method is compiled and measured once on every
+// About what it takes at least, however small the budget: one method is compiled and measured once on every
 // scene.
 double least_seconds(const CompareOptions& options);
 

@@ -72,6 +72,7 @@ class SceneRun {
     std::vector<const PointChoice*> choices_;  // of the points that were measured, like what follows
     std::vector<QualityJudge::Measured> measured_;
     std::map<const Method*, double> last_frame_;  // milliseconds, of the method's last point
+    double longest_first_ = 0;                    // seconds that a method's first point took, with its shaders
 };
 
 void SceneRun::describe() {
@@ -113,16 +114,20 @@ double SceneRun::pixels() const {
            (static_cast<double>(result_.judged_width) * result_.judged_height);
 }
 
-// The first point of every method is always measured; another one where it leaves time for a few rounds of
+// The first point of the first method is always measured; another one where it leaves time for a few rounds of
 // all.
 bool SceneRun::may_measure(std::size_t point) const {
+    if (budget_.endless() || measured_.empty()) return true;
+    double slowest = 0, round = 0;  // of the frames so far
+    for (const QualityJudge::Measured& measured : measured_) {
+        slowest = std::max(slowest, measured.frame_ms * 1e-3);
+        round += measured.frame_ms * 1e-3;
+    }
     const auto last = last_frame_.find(task_.points[point].method);
-    if (budget_.endless() || last == last_frame_.end()) return true;
-    const double frame = kSlowerStep * last->second * 1e-3;
-    double round = frame;
-    for (const QualityJudge::Measured& measured : measured_) round += measured.frame_ms * 1e-3;
-    return budget_.spent() + kErrorSeconds + kErrorFrames * frame + kLeastRounds * pixels() * round <
-           budget_.limit();
+    const bool is_new = last == last_frame_.end();
+    const double frame = is_new ? slowest : kSlowerStep * last->second * 1e-3;
+    const double errors = is_new ? longest_first_ : kErrorSeconds + kErrorFrames * frame;
+    return budget_.spent() + errors + kLeastRounds * pixels() * (round + frame) < budget_.limit();
 }
 
 void SceneRun::measure_errors() {
@@ -145,6 +150,7 @@ void SceneRun::measure_errors() {
 
 void SceneRun::measure(std::size_t index) {
     const PointChoice& choice = task_.points[index];
+    const double start = budget_.spent();
     Renderer& renderer = renderers_->select(choice);
     ComparedPoint point;
     point.method = std::string(choice.method->name);
@@ -162,6 +168,7 @@ void SceneRun::measure(std::size_t index) {
         judge_->measure(renderer, point, task_.folder / point.picture, task_.folder / point.error_map));
     choices_.push_back(&choice);
     result_.points.push_back(std::move(point));
+    if (!last_frame_.contains(choice.method)) longest_first_ = std::max(longest_first_, budget_.spent() - start);
     last_frame_[choice.method] = measured_.back().frame_ms;
 }
 

@@ -1,0 +1,95 @@
+// What a session saves, exports and goes back to.
+#include <stdexcept>
+
+#include "editor/session/session_state.h"
+
+namespace relievo {
+
+void Session::save(const fs::path& path, const fs::path& colour_path) {
+    State& s = *state_;
+    s.require_no_stroke();
+    const MapFormat named = format_of(path);
+    const bool both_exr = named == MapFormat::exr_float && s.file.format == MapFormat::exr_half;
+    const MapFormat format = both_exr ? MapFormat::exr_half : named;
+    std::error_code ignored;
+    if (!s.start_map.empty() && fs::equivalent(path, s.start_map, ignored))
+        s.recorder->keep_base(BaseFile::map, s.start_map);
+    if (!colour_path.empty()) {
+        if (!s.colours.there())
+            throw std::invalid_argument(colour_path.string() + ": there is no colour map to save");
+        check_colour_path(colour_path);
+        const fs::path& start = s.colours.start_file();
+        if (!start.empty() && fs::equivalent(colour_path, start, ignored))
+            s.recorder->keep_base(BaseFile::colours, start);
+        s.colours.save(colour_path);
+    }
+    save_map(s.file.map, path, format, s.file.range, format == s.file.format ? s.file.origin.get() : nullptr);
+    confirm_saved(path, colour_path);
+}
+
+fs::path Session::colour_path_for(const fs::path& map) const {
+    const State& s = *state_;
+    if (!s.colours.there()) return {};
+    std::error_code ignored;
+    const bool own_file =
+        s.map_path && (fs::absolute(map).lexically_normal() == s.map_path->lexically_normal() ||
+                       fs::equivalent(map, *s.map_path, ignored));
+    const fs::path& file = s.colours.file();
+    if (!own_file || file.empty()) return s.colours.path_beside(map);
+    return s.colour_steps.unsaved() ? file : fs::path();
+}
+
+void Session::export_map(const fs::path& path, MapFormat format, MapRange range) const {
+    state_->require_no_stroke();
+    if (format_of(path) != format && format != MapFormat::exr_half)
+        throw std::invalid_argument(path.string() +
+                                    ": the extension names another format than the one that was chosen");
+    save_map(state_->file.map, path, format, range);
+}
+
+void Session::export_colours(const fs::path& path) const {
+    state_->require_no_stroke();
+    if (!state_->colours.there()) throw std::invalid_argument("there is no colour map to export");
+    state_->colours.save(path);
+}
+
+void Session::confirm_saved(const fs::path& path, const fs::path& colour_path) {
+    State& s = *state_;
+    s.map_path = fs::absolute(path);
+    SaveOp op{*s.map_path, s.file.map.hash()};
+    if (!colour_path.empty() && s.colours.there()) {
+        s.colours.set_file(fs::absolute(colour_path));
+        s.colour_steps.mark_saved();
+        op.colour_map = s.colours.file();
+        op.colour = s.colours.map().hash();
+    }
+    if (!s.colour_steps.unsaved()) s.steps.mark_saved();
+    s.recorder->record(op);
+}
+
+bool Session::revert() {
+    const bool ahead = state_->steps.saved_is_ahead();
+    if (!ahead && !state_->steps.saved_is_behind()) return false;
+    for (int taken = 0; unsaved(); ++taken) {
+        if (ahead ? redo() : undo()) continue;
+        for (; taken > 0; --taken) ahead ? undo() : redo();  // the way is cut off: leave all as it was
+        return false;
+    }
+    return true;
+}
+
+std::optional<fs::path> Session::colour_path() const {
+    const fs::path& file = state_->colours.file();
+    return file.empty() ? std::nullopt : std::optional(file);
+}
+std::optional<fs::path> Session::map_path() const {
+    return state_->map_path;
+}
+void Session::discard_recovery() {
+    state_->recorder->discard_recovery();
+}
+std::string Session::journal_error() const {
+    return state_->recorder->error();
+}
+
+}  // namespace relievo

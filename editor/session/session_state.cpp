@@ -1,0 +1,108 @@
+// See session_state.h.
+#include "editor/session/session_state.h"
+
+#include "brushes/symmetry.h"
+#include "editor/session/mesh_hash.h"
+
+namespace relievo {
+namespace {
+
+// Empty where the heights are a map. Throws where the mesh reaches too far over the exemplar.
+std::shared_ptr<const ProceduralSource> source_of(const Mesh& mesh, const Displacement& displacement,
+                                                  const HeightMap& exemplar) {
+    if (!displacement.procedural) return nullptr;
+    auto source = std::make_shared<ProceduralSource>(*displacement.procedural, exemplar.width(),
+                                                     exemplar.height(), exemplar.texels().data());
+    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) source->texels_at(corner_uvs(mesh, face));
+    return source;
+}
+
+}  // namespace
+
+Session::State::State(const fs::path& scene_file, const SessionOptions& given)
+    : options(given),
+      scene(open_scene(scene_file, options.method, options.parameters)),
+      start_map(options.map.empty() ? displacement().map : options.map),
+      file(open_map(displacement(), start_map, traced_by())),
+      source(source_of(scene.objects.front().mesh, displacement(), file.map)),
+      colours(options.colour_map.empty() ? albedo_map() : options.colour_map, albedo_map(),
+              options.with_renderer) {
+    if (source && !options.map.empty())
+        throw std::invalid_argument(
+            options.map.string() +
+            ": the scene's heights are procedural; there is no map to put this in place of");
+    make_surface();
+    brush.radius = scene.objects.front().mesh.sphere_radius * 0.1f;
+    if (!displacement().map.empty()) map_path = displacement().map;
+    const bool recording = !options.journal.empty() || options.recovery;
+    header.version = std::string(RELIEVO_VERSION);
+    header.scene = scene.path;
+    header.map_width = file.map.width();
+    header.map_height = file.map.height();
+    header.midlevel = displacement().midlevel;
+    header.amplitude = displacement().amplitude;
+    header.undo_budget = options.undo_budget;
+    header.mesh_hash = mesh_hash(scene.objects.front().mesh);
+    if (recording) header.map_hash = file.map.hash();  // 512 MiB of texels take a while
+    if (colours.there()) header.colour_map = fs::absolute(colours.start_file());
+    if (recording && colours.there()) header.colour_hash = colours.map().hash();
+    if (options.with_renderer) open_view();
+    recorder = std::make_unique<Recorder>(header, options.journal, options.recovery);
+    recorder->set_start_files(options.map, options.colour_map);
+}
+
+void Session::State::open_view() {
+    others.reserve(scene.objects.size());
+    for (std::size_t i = 1; i < scene.objects.size(); ++i) {
+        const Displacement& other = scene.objects[i].displacement;
+        others.push_back(open_map(other, other.map, traced_by()));
+        other_sources.push_back(source_of(scene.objects[i].mesh, other, others.back().map));
+    }
+    view = std::make_unique<SessionView>(scene, maps(), colours.view(), options);
+}
+
+std::vector<const HeightMap*> Session::State::maps() const {
+    std::vector<const HeightMap*> all{&file.map};
+    for (const LoadedMap& other : others) all.push_back(&other.map);
+    return all;
+}
+
+void Session::State::take_heights(const Displacement& wanted, std::optional<LoadedMap> fresh) {
+    SceneObject& object = scene.objects.front();
+    auto made = source_of(object.mesh, wanted, fresh ? fresh->map : file.map);
+    object.displacement = wanted;
+    source = std::move(made);
+    if (fresh) {
+        symmetric.reset();
+        sculptor.reset();
+        surface.reset();
+        file = std::move(*fresh);
+        make_surface();
+    }
+    ++revision;
+    if (view) view->set_heights(displacement(), file.map);
+}
+
+void Session::State::make_surface() {
+    surface.emplace(scene.objects.front().mesh, displacement(), file.map);
+    glm::dmat4 rebased(1.0);
+    rebased[3] = glm::dvec4(-scene.origin, 1.0);
+    surface->set_world_from_object(rebased * scene.objects.front().transform);
+    sculptor.emplace(file.map, *surface, options.undo_budget);
+    can_paint = false;
+}
+
+void Session::State::allow_painting() {
+    if (!colours.there() || can_paint) return;
+    sculptor->set_colours(colours.map());
+    can_paint = true;
+}
+
+const SymmetricDabs& Session::State::symmetry() {
+    if (!symmetric)
+        symmetric.emplace(scene.objects.front().mesh, *surface,
+                          symmetry_copies(stroke.brush, surface->world_from_object()));
+    return *symmetric;
+}
+
+}  // namespace relievo

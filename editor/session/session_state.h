@@ -1,0 +1,112 @@
+// What a session holds, and the one way in which its edits reach map, journal and device. Private to
+// session*.cpp.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "brushes/sculptor.h"
+#include "editor/session/recorder.h"
+#include "editor/session/scene_input.h"
+#include "editor/session/session.h"
+#include "editor/session/session_colours.h"
+#include "editor/session/session_view.h"
+#include "editor/session/steps.h"
+#include "editor/session/surface/clone_source.h"
+#include "editor/session/surface/mesh_surface.h"
+#include "editor/session/surface/symmetric_dabs.h"
+
+namespace relievo {
+namespace fs = std::filesystem;
+
+struct Session::State {
+    State(const fs::path& scene_file, const SessionOptions& given);
+
+    const fs::path& albedo_map() const { return scene.objects.front().material.albedo_map; }
+
+    const Displacement& displacement() const { return scene.objects.front().displacement; }
+
+    const MethodChoice* traced_by() const { return options.with_renderer ? &scene.method : nullptr; }
+
+    void open_view();
+    std::vector<const HeightMap*> maps() const;
+    // Other heights for the edited object: another map or exemplar where `fresh` holds one. Undo steps end
+    // there. Throws before anything has changed.
+    void take_heights(const Displacement& wanted, std::optional<LoadedMap> fresh);
+    // What brushes work on, over file.map.
+    void make_surface();
+    // Hands the colour map to the sculptor, once. Throws where it has another size than the map.
+    void allow_painting();
+    // The finder of the copies of a stroke under way.
+    const SymmetricDabs& symmetry();
+
+    void require_no_stroke() const {
+        if (sculptor->in_stroke()) throw std::logic_error("end the stroke first");
+    }
+
+    // Runs one edit of the map, books it, then shows it: what happened to the map is recorded even if the
+    // device fails to show it.
+    template <typename Edit, typename Book>
+    void apply(Edit edit, Book book) {
+        using Clock = std::chrono::steady_clock;
+        const auto start = Clock::now();
+        const std::vector<TexelRect> rects = edit();
+        times = {};
+        times.edit_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        const std::vector<TexelRect> painted = sculptor->take_painted();
+        if (!rects.empty()) ++revision;
+        if (!painted.empty()) ++colour_revision;
+        book();
+        if (!view) return;
+        view->upload(file.map, rects, times);
+        view->upload_colours(colours.view(), painted, times);
+    }
+
+    // On the base mesh, and within its face.
+    bool exists(const FacePoint& point) const {
+        return point.face < surface->face_count() && point.b1 <= Dab::kBarycentricOne &&
+               point.b2 <= Dab::kBarycentricOne - point.b1;
+    }
+    void add_step(bool changes_map, bool changes_colours) {
+        steps.add(changes_map);
+        colour_steps.add(changes_colours);
+    }
+
+    void restart_image() {
+        if (view) view->restart();
+    }
+
+    SessionOptions options;
+    Scene scene;
+    fs::path start_map;  // empty: a new flat map
+    LoadedMap file;
+    std::vector<LoadedMap> others;  // of the objects that are not edited, where there is a renderer
+    std::vector<std::shared_ptr<const ProceduralSource>> other_sources;
+    std::uint64_t revision = 0;                      // of file.map
+    std::shared_ptr<const ProceduralSource> source;  // of file.map as the exemplar; empty: it is the heights
+    SessionColours colours;
+    std::uint64_t colour_revision = 0;
+    bool can_paint = false;  // the sculptor has the colours
+    std::optional<MeshSurface> surface;
+    std::optional<Sculptor> sculptor;
+    std::unique_ptr<SessionView> view;
+    JournalHeader header;
+    std::unique_ptr<Recorder> recorder;
+    std::optional<fs::path> map_path;
+    Steps steps, colour_steps;  // of both maps, and of the colours alone
+    Brush brush;
+    StrokeSettings stroke_settings;
+    std::shared_ptr<const Alpha> alpha;  // of stamp
+    CloneSource clone_source;
+    StrokeOp stroke;                         // under way
+    std::size_t copies = 0;                  // of each of its dabs
+    std::optional<SymmetricDabs> symmetric;  // made at a stroke's first dab that needs it
+    std::optional<Touched> touched;
+    StageTimes times;
+};
+
+}  // namespace relievo

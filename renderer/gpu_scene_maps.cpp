@@ -1,0 +1,130 @@
+// A scene's maps as images on the device: heights, their pyramid, opacity. See gpu_scene.h.
+#include <cstring>
+
+#include "renderer/gpu_scene.h"
+#include "renderer/opacity.h"
+
+namespace relievo {
+namespace {
+
+constexpr VkImageUsageFlags kTexture = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+
+// Copies rows of one region into staging memory, tightly packed.
+template <typename T>
+T* pack_rows(T* to, const T* texels, int width, const TexelRegion& r) {
+    const auto count = static_cast<std::size_t>(r.x1 - r.x0);
+    for (int y = r.y0; y < r.y1; ++y) {
+        std::memcpy(to, texels + static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + r.x0,
+                    count * sizeof(T));
+        to += count;
+    }
+    return to;
+}
+
+VkBufferImageCopy image_copy(const TexelRegion& r, VkDeviceSize offset) {
+    VkBufferImageCopy copy{};
+    copy.bufferOffset = offset;
+    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    copy.imageOffset = {r.x0, r.y0, 0};
+    copy.imageExtent = {static_cast<std::uint32_t>(r.x1 - r.x0), static_cast<std::uint32_t>(r.y1 - r.y0), 1};
+    return copy;
+}
+
+}  // namespace
+
+void GpuScene::load_map(Object& object, const HeightView& map, bool pyramid) {
+    const bool clamp = object.wrap == Wrap::clamp;
+    object.map = vulkan::Image(context_, map.width, map.height, VK_FORMAT_R16_UNORM, kTexture);
+    object.map_sampler = vulkan::make_sampler(context_, clamp, false);
+    commands_.run([&](VkCommandBuffer cmd) {
+        object.map.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
+    // In bands, so that the staging buffer stays small on large maps.
+    constexpr int kBand = 1024;
+    for (int y = 0; y < map.height; y += kBand) {
+        const TexelRegion band{0, y, map.width, std::min(map.height, y + kBand)};
+        upload_texels(object, map, std::span(&band, 1));
+    }
+    load_pyramid(object, map, pyramid);
+}
+
+void GpuScene::load_pyramid(Object& object, const HeightView& map, bool wanted) {
+    // One node stands in where no method asks: descriptors need an image.
+    const HeightView none{1, 1, map.texels};
+    object.pyramid = std::make_unique<HeightPyramid>(wanted ? map : none, object.wrap);
+    const HeightPyramid& pyramid = *object.pyramid;
+    object.pyramid_image = vulkan::Image(context_, pyramid.width(1), pyramid.height(1), VK_FORMAT_R16G16_UNORM, kTexture,
+                                         pyramid.levels());
+    commands_.run([&](VkCommandBuffer cmd) {
+        object.pyramid_image.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
+    for (int level = 1; level <= pyramid.levels(); ++level)
+        upload_pyramid(object, {{level, 0, 0, pyramid.width(level), pyramid.height(level)}});
+    if (!wanted) object.pyramid.reset();
+}
+
+void GpuScene::load_opacity(const SceneObject& description, Object& object, bool wanted) {
+    // A white texel stands in where there is no map: descriptors need an image.
+    OpacityMap opacity;
+    if (wanted && !description.opacity_map.empty()) opacity = load_opacity_map(description.opacity_map);
+    object.opacity = vulkan::Image(context_, opacity.width, opacity.height, VK_FORMAT_R8_UNORM, kTexture);
+    object.opacity_sampler = vulkan::make_sampler(context_, object.wrap == Wrap::clamp, true);
+    const vulkan::Buffer staging(context_, opacity.texels.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                 vulkan::Access::host);
+    std::memcpy(staging.mapped(), opacity.texels.data(), opacity.texels.size());
+    const VkBufferImageCopy copy = image_copy({0, 0, opacity.width, opacity.height}, 0);
+    commands_.run([&](VkCommandBuffer cmd) {
+        object.opacity.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        vkCmdCopyBufferToImage(cmd, staging.get(), object.opacity.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                               &copy);
+        object.opacity.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
+}
+
+// The changed nodes, level by level, into the mips of the pyramid's image.
+void GpuScene::upload_pyramid(Object& object, const std::vector<HeightPyramid::Nodes>& changed) {
+    std::vector<VkBufferImageCopy> copies;
+    std::vector<HeightPyramid::Node> nodes;
+    for (const HeightPyramid::Nodes& n : changed) {
+        copies.push_back(image_copy({n.x0, n.y0, n.x1, n.y1}, nodes.size() * sizeof(HeightPyramid::Node)));
+        copies.back().imageSubresource.mipLevel = static_cast<std::uint32_t>(n.level - 1);
+        for (int y = n.y0; y < n.y1; ++y)
+            for (int x = n.x0; x < n.x1; ++x) nodes.push_back(object.pyramid->overlapping(n.level, x, y));
+    }
+    const std::size_t bytes = nodes.size() * sizeof(HeightPyramid::Node);
+    if (staging_.bytes() < bytes)
+        staging_ = vulkan::Buffer(context_, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Access::host);
+    std::memcpy(staging_.mapped(), nodes.data(), bytes);
+    commands_.run([&](VkCommandBuffer cmd) {
+        const vulkan::Image& image = object.pyramid_image;
+        image.transition(cmd, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        vkCmdCopyBufferToImage(cmd, staging_.get(), image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                               static_cast<std::uint32_t>(copies.size()), copies.data());
+        image.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
+}
+
+void GpuScene::upload_texels(Object& object, const HeightView& map, std::span<const TexelRegion> regions) {
+    VkDeviceSize bytes = 0;
+    std::vector<VkBufferImageCopy> copies;
+    for (const TexelRegion& r : regions) {
+        copies.push_back(image_copy(r, bytes));
+        // Offsets of image copies are multiples of 4.
+        bytes += (static_cast<VkDeviceSize>(r.x1 - r.x0) * static_cast<VkDeviceSize>(r.y1 - r.y0) * 2 + 3) / 4 * 4;
+    }
+    if (staging_.bytes() < bytes)
+        staging_ = vulkan::Buffer(context_, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Access::host);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        auto* to = reinterpret_cast<std::uint16_t*>(staging_.as<std::uint8_t>() + copies[i].bufferOffset);
+        pack_rows(to, map.texels, map.width, regions[i]);
+    }
+    commands_.run([&](VkCommandBuffer cmd) {
+        object.map.transition(cmd, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        vkCmdCopyBufferToImage(cmd, staging_.get(), object.map.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                               static_cast<std::uint32_t>(copies.size()), copies.data());
+        object.map.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    });
+}
+
+}  // namespace relievo
