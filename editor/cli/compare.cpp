@@ -84,8 +84,8 @@ void add_compare(CLI::App& app, Command& command) {
                     "Methods with commas between, the one to judge first; all when not given")
         ->type_name("LIST");
     verb.add_option("--budget", options->budget_s,
-                    "Seconds that it may take: fewer rounds and points when short, but every method once on "
-                    "every scene; as long as it needs when not given")
+                    "Seconds that it may take: fewer rounds, points and methods when short; as long as it "
+                    "needs when not given")
         ->type_name("SECONDS")
         ->check(CLI::PositiveNumber);
     verb.add_option("--size", options->picture.size, "Size of the frames; the scene's when not given")
