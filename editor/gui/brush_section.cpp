@@ -18,6 +18,7 @@ std::string readable(std::string_view name) {
     if (name == "lazy_px") text = "lazy";
     if (name.ends_with("_by_pressure"))  // the label's column is narrow
         text = "pen " + text.substr(0, text.find("_by_pressure"));
+    if (name == "pressure_curve") text = "pen curve";
     std::replace(text.begin(), text.end(), '_', ' ');
     text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;

@@ -6,13 +6,14 @@
 namespace relievo::gui {
 
 PointerEvent StrokeControl::pointer(const InputEvent& event) const {
-    return {event.time_us, live_->to_renderer_x(event.x), live_->to_renderer_y(event.y), 1};
+    return {event.time_us, live_->to_renderer_x(event.x), live_->to_renderer_y(event.y), event.touch.pressure};
 }
 
 Brush StrokeControl::brush_for(const InputEvent& event) const {
     Brush brush = session_->brush();
     if (event.mods & GLFW_MOD_SHIFT) brush.tool = Tool::smooth;
     if (event.mods & GLFW_MOD_CONTROL) brush.invert = !brush.invert;
+    if (event.touch.eraser) brush.invert = !brush.invert;
     return brush;
 }
 

@@ -17,10 +17,11 @@ class StrokeControl {
     bool active() const { return input_.has_value(); }
     std::uint64_t dabs() const { return dabs_; }  // made so far, in all strokes
 
-    // Positions are in pixels of the picture on screen. With Ctrl, draw lowers instead of raising; with
-    // Shift, the stroke smooths. Throws std::invalid_argument when a brush setting is out of its range.
-    // The brush that a press takes: the session's, turned round by Ctrl, smoothing with Shift.
+    // The brush that a press takes: the session's, turned round by Ctrl and by a pen's eraser, smoothing with
+    // Shift.
     Brush brush_for(const InputEvent& event) const;
+    // Positions are in pixels of the picture on screen. Throws std::invalid_argument when a brush setting is
+    // out of its range.
     void begin(const InputEvent& event);
     void move(const InputEvent& event);
     void rest(std::uint64_t time_us);  // no event came until then

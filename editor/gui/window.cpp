@@ -10,6 +10,10 @@
 #include <chrono>
 #include <stdexcept>
 
+#ifdef RELIEVO_HAS_XINPUT
+#include "editor/gui/xinput_pen.h"
+#endif
+
 namespace relievo::gui {
 namespace {
 
@@ -41,11 +45,14 @@ struct WindowCallbacks {
         Window& window = window_of(handle);
         window.x_ = x;
         window.y_ = y;
+        window.follow_pen(PenSample::Kind::move);
         window.add({InputEvent::Kind::move});
     }
     static void button(GLFWwindow* handle, int button, int action, int mods) {
-        const auto kind = action == GLFW_PRESS ? InputEvent::Kind::press : InputEvent::Kind::release;
-        window_of(handle).add({kind, 0, 0, 0, button, mods});
+        const bool press = action == GLFW_PRESS;
+        window_of(handle).follow_pen(press ? PenSample::Kind::press : PenSample::Kind::release);
+        window_of(handle).add(
+            {press ? InputEvent::Kind::press : InputEvent::Kind::release, 0, 0, 0, button, mods});
         if (ui_listens()) ImGui_ImplGlfw_MouseButtonCallback(handle, button, action, mods);
     }
     static void scroll(GLFWwindow* handle, double x, double y) {
@@ -123,9 +130,13 @@ Window::Window(PixelSize size) : start_us_(clock_us()) {
     glfwSetWindowUserPointer(handle_, this);
     glfwGetCursorPos(handle_, &x_, &y_);
     WindowCallbacks::set_all(handle_);
+#ifdef RELIEVO_HAS_XINPUT
+    pen_ = open_xinput_pen(handle_);
+#endif
 }
 
 Window::~Window() {
+    pen_.reset();
     glfwDestroyWindow(handle_);
     glfwTerminate();
 }
@@ -169,11 +180,13 @@ double Window::now_us() const {
 void Window::poll() {
     before_events();
     glfwPollEvents();
+    after_events();
 }
 
 void Window::wait(double seconds) {
     before_events();
     glfwWaitEventsTimeout(seconds);
+    after_events();
 }
 
 void Window::before_events() {
@@ -182,6 +195,19 @@ void Window::before_events() {
     glfwGetWindowSize(handle_, &units, &ignored);
     if (const PixelSize size = framebuffer(); size.width > 0 && units > 0)
         pixels_per_unit_ = static_cast<double>(size.width) / units;
+}
+
+// A pen that is pressed harder where it is tells GLFW nothing.
+void Window::after_events() {
+    if (!pen_) return;
+    pen_->read(track_);
+    if (track_.settle()) add({InputEvent::Kind::move});
+}
+
+void Window::follow_pen(PenSample::Kind kind) {
+    if (!pen_) return;
+    pen_->read(track_);
+    track_.touch_at(kind, x_, y_);
 }
 
 void Window::forward_releases() {
@@ -203,6 +229,7 @@ void Window::add(InputEvent event) {
     event.time_us = clock_us() - start_us_;
     event.x = x_ * pixels_per_unit_;
     event.y = y_ * pixels_per_unit_;
+    event.touch = track_.now();
     events_.push_back(event);
 }
 

@@ -6,9 +6,12 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "editor/gui/pen_track.h"
 
 struct GLFWwindow;
 
@@ -21,6 +24,7 @@ struct InputEvent {
     int code = 0;               // press and release: GLFW mouse button; key: GLFW key
     int mods = 0;               // GLFW_MOD_*
     double scroll = 0;          // notches, up positive
+    PenTouch touch{};           // of the pen, or whatever moves the pointer
 };
 
 struct PixelSize {
@@ -62,15 +66,19 @@ class Window {
   private:
     friend struct WindowCallbacks;
     void add(InputEvent event);
+    void follow_pen(PenSample::Kind kind);
 
     GLFWwindow* handle_ = nullptr;
     struct KeyRelease {
         int key, scancode, mods;
     };
     void before_events();
+    void after_events();
     void forward_releases();
 
     std::deque<InputEvent> events_;
+    std::unique_ptr<PenReader> pen_;  // null: the display tells no pressure
+    PenTrack track_;
     // Dear ImGui 1.86 looks at keys once a frame: a key that went down and up in between must be seen down.
     std::vector<int> pressed_;               // since the last poll
     std::vector<KeyRelease> held_releases_;  // given to Dear ImGui at the next poll

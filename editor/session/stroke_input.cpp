@@ -88,7 +88,10 @@ void StrokeInput::move(const PointerEvent& event) {
     if (grabs_) return draw_held(event, false);
     rest(event.time_us);
     const PointerEvent at = pulled(event);
-    if (last_ && distance_px(last_->at, at) >= kStepPx) stretch_to(at);
+    if (last_ && distance_px(last_->at, at) >= kStepPx)
+        stretch_to(at);
+    else if (last_ && settings_.rate > 0)
+        last_->at.pressure = at.pressure;
 }
 
 void StrokeInput::rest(std::uint64_t time_us) {
@@ -118,10 +121,15 @@ PointerEvent StrokeInput::pulled(const PointerEvent& event) {
     return brush_at_;
 }
 
+// What a pressure counts.
+double StrokeInput::felt(double pressure) const {
+    return std::pow(std::clamp(pressure, 0.0, 1.0), static_cast<double>(settings_.pressure_curve));
+}
+
 double StrokeInput::size(double pressure) const {
     constexpr double kLeast = 0.02;
     const double much = static_cast<double>(settings_.size_by_pressure);
-    return std::max(kLeast, 1.0 - much * (1.0 - std::clamp(pressure, 0.0, 1.0)));
+    return std::max(kLeast, 1.0 - much * (1.0 - felt(pressure)));
 }
 
 // The sample's place, moved within a disc about it in the picture; unmoved where that is off the surface.
@@ -164,9 +172,10 @@ glm::dvec3 StrokeInput::stamp_right(const Sample& sample, glm::dvec3 direction, 
 void StrokeInput::emit(const Sample& sample, glm::dvec3 direction) {
     const std::uint32_t index = dabs_++;
     const double much = static_cast<double>(settings_.strength_by_pressure);
-    const double strength = 1.0 - much * (1.0 - sample.at.pressure);
+    const double pressure = felt(sample.at.pressure);
+    const double strength = 1.0 - much * (1.0 - pressure);
     const PickHit hit = settings_.jitter > 0 && !grabs_ ? strayed(sample, index) : sample.hit;
-    Dab dab = quantised_dab(hit, sample.at.time_us - start_us_, much == 1.0 ? sample.at.pressure : strength);
+    Dab dab = quantised_dab(hit, sample.at.time_us - start_us_, much == 1.0 ? pressure : strength);
     dab.size = std::max(1u, quantise(size(sample.at.pressure), Dab::kSizeOne));
     const glm::dvec3 hand = stamps_ ? stamp_right(sample, direction, index) : drag_ / radius_;
     for (int k = 0; k < 3; ++k) {
@@ -181,6 +190,8 @@ void StrokeInput::emit(const Sample& sample, glm::dvec3 direction) {
 
 void StrokeInput::draw_held(const PointerEvent& event, bool last) {
     if (!held_) return;
+    // A pen that is lifted lets go; what it has drawn stays.
+    held_->at.pressure = std::max(held_->at.pressure, event.pressure);
     // The plane through the held point across the ray that took hold.
     const glm::dvec3 across = glm::normalize(glm::dvec3(held_->ray.direction));
     const Ray ray = camera_ray_(event.x_px, event.y_px);
@@ -192,6 +203,7 @@ void StrokeInput::draw_held(const PointerEvent& event, bool last) {
     sent_drag_ = drag_;
     Sample sample = *held_;
     sample.at = event;
+    sample.at.pressure = held_->at.pressure;
     sample.at.time_us = std::max(event.time_us, start_us_);
     emit(sample, glm::dvec3(0));
 }

@@ -29,7 +29,7 @@ namespace relievo {
 struct PointerEvent {
     std::uint64_t time_us = 0;  // any clock
     double x_px = 0, y_px = 0;  // in the picture, as Renderer::camera_ray takes them
-    double pressure = 1;        // [0, 1]
+    double pressure = 1;        // [0, 1], before the curve of the settings
 };
 
 class StrokeInput {
@@ -72,6 +72,7 @@ class StrokeInput {
     void emit(const Sample& sample, glm::dvec3 direction);
     glm::dvec3 stamp_right(const Sample& sample, glm::dvec3 direction, std::uint32_t index) const;
     PickHit strayed(const Sample& sample, std::uint32_t index) const;
+    double felt(double pressure) const;
     double size(double pressure) const;
     void draw_held(const PointerEvent& event, bool last);
 

@@ -25,6 +25,9 @@ constexpr std::array kParameters{
                     &StrokeSettings::size_by_pressure},
     StrokeParameter{"strength_by_pressure", "", "How much the pen's pressure makes the strength", 0.0f, 1.0f,
                     1.0f, &StrokeSettings::strength_by_pressure},
+    StrokeParameter{"pressure_curve", "exponent",
+                    "The pen's pressure counts to this power: above 1 it starts softly, below 1 it bites at once",
+                    0.1f, 10.0f, 1.0f, &StrokeSettings::pressure_curve},
     StrokeParameter{"rotation_jitter", "degrees", "How far stamps are turned at random, either way", 0.0f,
                     180.0f, 0.0f, &StrokeSettings::rotation_jitter, tool_set({Tool::stamp})},
 };

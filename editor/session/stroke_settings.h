@@ -21,6 +21,7 @@ struct StrokeSettings {
     float rate = 0.0f;                    // dabs a second, also at rest, in place of spacing; 0: off
     float size_by_pressure = 0.0f;        // 0: the pen does not matter; 1: no pressure is no size
     float strength_by_pressure = 1.0f;    // the same for strength
+    float pressure_curve = 1.0f;          // the pen's pressure counts to this power, [0.1, 10]
     // Of the stamp's image, resolved into each dab (Dab::drag).
     bool along_stroke = false;     // its right lies along the stroke; false: along the picture's right
     float rotation_jitter = 0.0f;  // degrees: stamps stray so far either way, [0, 180]

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "editor/session/stroke_input.h"
 
@@ -123,6 +124,37 @@ TEST(StrokeSettings, PressureMakesSizeAndStrengthAsMuchAsAsked) {
     EXPECT_EQ(hand.dabs[0].pressure, Dab::kPressureOne);
     EXPECT_NEAR(hand.dabs[0].size, 0.75 * Dab::kSizeOne, 1);
     EXPECT_NEAR(place(hand.dabs[1]).x - place(hand.dabs[0]).x, 0.075, 1e-3) << "spacing follows the size";
+}
+
+TEST(StrokeSettings, TheCurveBendsPressureBetweenItsEndsOnly) {
+    StrokeSettings settings;
+    settings.pressure_curve = 2;
+    for (const auto& [pressure, felt] : {std::pair{0.0, 0.0}, {0.5, 0.25}, {1.0, 1.0}, {7.0, 1.0}}) {
+        Hand hand(settings);
+        hand.input.begin({0, 100, 100, pressure});
+        EXPECT_EQ(hand.dabs[0].pressure, std::lround(felt * Dab::kPressureOne)) << pressure;
+    }
+}
+
+TEST(StrokeSettings, AnAirbrushAtRestFeelsThePenPressedHarder) {
+    StrokeSettings settings;
+    settings.rate = 100;
+    Hand hand(settings);
+    hand.input.begin({0, 100, 100, 0.25});
+    hand.input.move({15000, 100, 100, 0.75});
+    hand.input.rest(25000);
+    ASSERT_EQ(hand.dabs.size(), 3u);
+    EXPECT_EQ(hand.dabs[1].pressure, std::lround(0.25 * Dab::kPressureOne));
+    EXPECT_EQ(hand.dabs[2].pressure, std::lround(0.75 * Dab::kPressureOne));
+}
+
+TEST(StrokeSettings, WhatGrabHasDrawnStaysWhenThePenIsLifted) {
+    Hand hand({}, Tool::grab);
+    hand.input.begin({0, 100, 100, 0.25});
+    hand.input.move({1000, 200, 100, 0.75});
+    hand.input.end({2000, 260, 100, 0});
+    ASSERT_EQ(hand.dabs.size(), 3u);
+    EXPECT_EQ(hand.dabs.back().pressure, std::lround(0.75 * Dab::kPressureOne));
 }
 
 TEST(StrokeSettings, GrabStaysAndCarriesTheDragToTheLastPixel) {
