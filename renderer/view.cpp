@@ -45,6 +45,7 @@ void fill_lights(gpu::FrameData& frame, const std::vector<Light>& lights, const 
     frame.zenith = environment.zenith * environment.intensity;
     frame.horizon = environment.horizon * environment.intensity;
     frame.ground = environment.ground * environment.intensity;
+    frame.sky_up = glm::vec3(glm::normalize(environment.up));
 }
 
 Ray ray_through(const gpu::FrameData& frame, double x_px, double y_px) {

@@ -127,6 +127,8 @@ struct FrameData {
     vec3 horizon;
     uint object_count;
     vec3 ground;
+    float spare4;
+    vec3 sky_up;     // unit, towards the zenith
     float spare5;
     ivec2 size;        // image, pixels
     uvec2 bvh;         // device address of the BvhNodes, low word first; 0 where another way of tracing is used
@@ -228,7 +230,7 @@ static_assert(sizeof(BvhNode) == 64);  // a cache line
 static_assert(sizeof(LightData) == 32);
 static_assert(sizeof(MicroVertex) == 20);
 static_assert(sizeof(MicroTriangle) == 16);
-static_assert(sizeof(FrameData) == 184 + 8 * 32);
+static_assert(sizeof(FrameData) == 200 + 8 * 32);
 static_assert(sizeof(PushData) == 32);
 static_assert(sizeof(PickRay) == 32);
 static_assert(sizeof(PickResult) == 32);

@@ -172,21 +172,22 @@ void App::handle_input() {
         pointer_stale_ = true;
     }
     if (events.empty() && pointer_.in_stroke()) pointer_.rest(static_cast<std::uint64_t>(window_->now_us()));
-    pointer_.apply_camera();
+    pointer_.apply_moves();
 }
 
 void App::handle_key(const InputEvent& event) {
     if (event.code == GLFW_KEY_ESCAPE) return pointer_.cancel();
     const bool typing = ImGui::GetIO().WantTextInput && closing_frames_ == 0;
     const bool busy = pointer_.dragging() || typing || !picture_free();
-    if (!busy) pointer_.apply_camera();
+    if (!busy) pointer_.apply_moves();
     on_key(desk_, event, {layout_.picture.width, layout_.picture.height}, busy);
     pointer_stale_ = true;
 }
 
 void App::follow_pointer() {
     const bool over = layout_.picture.holds(x_, y_) && picture_free_at(x_, y_);
-    const bool camera_moves = pointer_.dragging() && !pointer_.in_stroke();
+    const bool camera_moves = (pointer_.dragging() && !pointer_.in_stroke()) ||
+                              desk_.view.brush_drag == BrushDrag::light;
     const bool not_sculpting = desk_.view.asking || on_divider(desk_, x_ - layout_.picture.x);
     if (!over || camera_moves || (not_sculpting && !pointer_.in_stroke())) {
         desk_.cursor.hide();

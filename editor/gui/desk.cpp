@@ -200,19 +200,34 @@ void Desk::go_to_camera(int number) {
     set("camera", found->second);
 }
 
-void Desk::turn_lights(double degrees) {
-    const Scene& scene = session.scene();
-    const glm::dmat3 turn(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::normalize(scene.camera.up)));
+void Desk::place_lights(const std::vector<Light>& lights, const glm::dvec3& sky_up) {
     const auto three = [](const glm::dvec3& v) { return std::vector<double>{v.x, v.y, v.z}; };
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const Light& light = scene.lights[i];
+    for (std::size_t i = 0; i < lights.size(); ++i) {
         const std::string key = "lights[" + std::to_string(i) + "].";
-        if (light.kind == Light::Kind::sun)
-            set(key + "direction", three(turn * light.direction));
+        if (lights[i].kind == Light::Kind::sun)
+            set(key + "direction", three(lights[i].direction));
         else
-            set(key + "position",
-                three(scene.camera.look_at + turn * (light.position - scene.camera.look_at)));
+            set(key + "position", three(lights[i].position));
     }
+    // Most turns are about the sky's own axis, and leave it as it is.
+    if (glm::length(sky_up - session.scene().environment.up) > 1e-9) set("environment.up", three(sky_up));
+}
+
+void Desk::turn_light(double degrees, const glm::dvec3& axis) {
+    const Scene& scene = session.scene();
+    const glm::dmat3 turn(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::normalize(axis)));
+    std::vector<Light> lights = scene.lights;
+    for (Light& light : lights) {
+        light.direction = turn * light.direction;
+        light.position = scene.camera.look_at + turn * (light.position - scene.camera.look_at);
+    }
+    place_lights(lights, turn * scene.environment.up);
+}
+
+void Desk::turn_light(double across_deg, double down_deg) {
+    const Camera& camera = session.scene().camera;
+    if (across_deg != 0) turn_light(across_deg, camera.up);
+    if (down_deg != 0) turn_light(down_deg, glm::cross(camera.look_at - camera.eye, camera.up));
 }
 
 void Desk::flatten_view() {

@@ -43,8 +43,8 @@ enum class Dialog {
     export_colours
 };
 
-// A brush setting that follows the pointer until a click.
-enum class BrushDrag { none, radius, strength, rotation };
+// What follows the pointer until a click: a setting of the brush, or the light.
+enum class BrushDrag { none, radius, strength, rotation, light };
 
 // Red, green and blue of a brush, sRGB-encoded.
 using PaintColour = std::array<float, 3>;
@@ -109,7 +109,12 @@ class Desk {
     // Views kept between runs; numbers from 1 on.
     void keep_camera(int number);
     void go_to_camera(int number);
-    void turn_lights(double degrees);        // all of them about the camera's up vector, through look_at
+    // All lights and the sky about an axis through look_at, in world space.
+    void turn_light(double degrees, const glm::dvec3& axis);
+    // Where the lights and the zenith lie, as in the scene that had them; as many lights as now.
+    void place_lights(const std::vector<Light>& lights, const glm::dvec3& sky_up);
+    // As a drag over the picture turns them, degrees: about the camera's up vector, and to the viewer.
+    void turn_light(double across_deg, double down_deg);
     void flatten_view();                     // to nearly parallel lines of sight, or back
     void toggle_symmetry(std::size_t axis);  // 0 to 2: x, y, z
     void choose_tool(std::size_t index);     // into tools(); beyond them, nothing happens

@@ -23,7 +23,7 @@ using K = KeyPress;
 constexpr std::array kBindings{
     Binding{"Sculpt", ""},
     Binding{"Left button", "sculpt with the tool"},
-    Binding{"Ctrl + left", "the opposite: lower in the place of raise"},
+    Binding{"Ctrl + left, pen's eraser", "the opposite: lower in the place of raise"},
     Binding{"Ctrl + left, with clone", "where the relief comes from"},
     Binding{"Shift + left", "smooth"},
     Binding{"Esc", "cancel the stroke or the drag"},
@@ -73,6 +73,8 @@ constexpr std::array kBindings{
             [](D& d, const K&) { d.split(!d.live.is_split()); }},
     Binding{"F2", "a click lists what the pixel's ray met; Esc ends it", GLFW_KEY_F2, GLFW_KEY_F2, 0,
             [](D& d, const K&) { d.view.asking = !d.view.asking; }},
+    Binding{"L", "drag lights and sky around the object; click keeps them", GLFW_KEY_L, GLFW_KEY_L, 0,
+            [](D& d, const K&) { d.start_drag(BrushDrag::light); }},
     Binding{"Tab", "hide and show the interface", GLFW_KEY_TAB, GLFW_KEY_TAB, 0,
             [](D& d, const K&) { d.view.interface_hidden = !d.view.interface_hidden; }},
     Binding{"File", ""},

@@ -18,6 +18,7 @@ constexpr double kZoomPerHeight = 12;   // notches for a drag over the picture's
 constexpr double kRadiusPerHeight = 4;  // powers of e
 constexpr double kStrengthPerHeight = 1.5;
 constexpr double kDegreesPerHeight = 360;
+constexpr double kLightDegreesPerHeight = 240;
 
 }  // namespace
 
@@ -52,6 +53,7 @@ void PointerControl::on_press(const InputEvent& local) {
     if (desk_->view.brush_drag != BrushDrag::none) {
         desk_->view.brush_drag = BrushDrag::none;
         brush_before_.reset();
+        light_before_.reset();
         return;
     }
     const bool alt = local.mods & GLFW_MOD_ALT;
@@ -106,7 +108,7 @@ void PointerControl::on_move(const InputEvent& local) {
     } else if (drag_ != CameraDrag::none) {
         drag_camera(dx, dy);
     } else if (desk_->view.brush_drag != BrushDrag::none) {
-        drag_brush(dx);
+        drag_brush(dx, dy);
     }
 }
 
@@ -133,7 +135,14 @@ void PointerControl::drag_camera(double dx, double dy) {
     }
 }
 
-void PointerControl::drag_brush(double dx) {
+void PointerControl::drag_brush(double dx, double dy) {
+    if (desk_->view.brush_drag == BrushDrag::light) {
+        const Scene& scene = desk_->session.scene();
+        if (!light_before_) light_before_ = Light{scene.lights, scene.environment.up};
+        light_across_ += dx;
+        light_down_ += dy;
+        return;
+    }
     Brush& brush = desk_->session.brush();
     if (!brush_before_) brush_before_ = brush;
     const double share = dx / picture_height_;
@@ -159,6 +168,9 @@ void PointerControl::cancel() {
     if (desk_->view.brush_drag == BrushDrag::none) return;
     if (brush_before_) desk_->session.brush() = *brush_before_;
     brush_before_.reset();
+    light_across_ = light_down_ = 0;
+    if (light_before_) desk_->place_lights(light_before_->lights, light_before_->sky_up);
+    light_before_.reset();
     desk_->view.brush_drag = BrushDrag::none;
 }
 
@@ -169,6 +181,13 @@ Camera& PointerControl::moving_camera() {
 
 void PointerControl::apply_camera() {
     if (camera_) desk_->set_camera(*std::exchange(camera_, std::nullopt));
+}
+
+void PointerControl::apply_moves() {
+    apply_camera();
+    const double degrees = kLightDegreesPerHeight / picture_height_;
+    const double across = std::exchange(light_across_, 0), down = std::exchange(light_down_, 0);
+    if (across != 0 || down != 0) desk_->turn_light(across * degrees, down * degrees);
 }
 
 }  // namespace relievo::gui

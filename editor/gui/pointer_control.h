@@ -23,8 +23,8 @@ class PointerControl {
     std::uint64_t dabs() const { return stroke_.dabs(); }
     bool dragging() const { return stroke_.active() || divider_ || drag_ != CameraDrag::none; }
     bool drags_divider() const { return divider_; }
-    // The camera's movements since the last call, as one command.
-    void apply_camera();
+    // The movements of the camera since the last call, as one command, and of the light.
+    void apply_moves();
 
   private:
     enum class CameraDrag { none, orbit, pan, zoom };
@@ -33,8 +33,9 @@ class PointerControl {
     void on_move(const InputEvent& local);
     void on_release(const InputEvent& local);
     void drag_camera(double dx, double dy);
-    void drag_brush(double dx);
+    void drag_brush(double dx, double dy);
     Camera& moving_camera();
+    void apply_camera();
 
     Desk* desk_;
     StrokeControl stroke_;
@@ -44,6 +45,12 @@ class PointerControl {
     std::optional<Camera> camera_before_;  // of a camera drag
     std::optional<Camera> camera_;         // moved, not yet given to the session
     std::optional<Brush> brush_before_;    // of a brush drag
+    struct Light {
+        std::vector<relievo::Light> lights;
+        glm::dvec3 sky_up;
+    };
+    std::optional<Light> light_before_;         // of a drag of the light
+    double light_across_ = 0, light_down_ = 0;  // pixels, not yet given to the session
     double last_x_ = 0, last_y_ = 0;
     int picture_width_ = 1, picture_height_ = 1;
 };

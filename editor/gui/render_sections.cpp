@@ -90,8 +90,18 @@ void turn_row(Desk& desk) {
     const float now = place_of(travels, sky_axes(scene.camera)).azimuth;
     float wanted = now;
     if (slider_row("Turn all", wanted, {-180, 180, false, "%.0f deg"},
-                   "All lights together around the object, as if it stood on a turntable."))
-        desk.turn_lights(static_cast<double>(wanted - now));
+                   "All lights and the sky together around the object, as if it stood on a turntable.  L drags them."))
+        desk.turn_light(static_cast<double>(wanted - now), scene.camera.up);
+}
+
+// The sky has no place around the object, but a zenith.
+void upright_row(Desk& desk) {
+    const Scene& scene = desk.session.scene();
+    const glm::dvec3 up = glm::normalize(scene.camera.up);
+    if (glm::length(glm::normalize(scene.environment.up) - up) < 1e-6) return;
+    row_label("Zenith");
+    if (push_button("Upright", true, "The sky's zenith above the object, as you look at it now."))
+        desk.set("environment.up", std::vector<double>{up.x, up.y, up.z});
 }
 
 }  // namespace
@@ -105,6 +115,7 @@ void draw_lights_section(Desk& desk) {
     float sky = desk.session.scene().environment.intensity;
     if (slider_row("Sky light", sky, {0, std::max(4.0f, sky), false, "%.2f"}, "Brightness of the whole sky."))
         desk.set("environment.intensity", static_cast<double>(sky));
+    upright_row(desk);
     ImGui::TextUnformatted("Material");
     const Material material = desk.session.scene().objects.front().material;
     float albedo[3] = {material.albedo.r, material.albedo.g, material.albedo.b};

@@ -19,6 +19,8 @@ std::string tool_hint(const Desk& desk) {
             return "Move to set the strength, click to keep it, Esc to leave it as it was";
         case BrushDrag::rotation:
             return "Move to turn the image, click to keep it, Esc to leave it as it was";
+        case BrushDrag::light:
+            return "Move to turn lights and sky, click to keep it, Esc to leave it as it was";
         case BrushDrag::none:
             break;
     }

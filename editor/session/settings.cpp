@@ -127,10 +127,14 @@ void set_environment(Environment& environment, const std::string& key, const Set
         environment.horizon = color(key, value, kMaxLight);
     } else if (key == "environment.ground") {
         environment.ground = color(key, value, kMaxLight);
+    } else if (key == "environment.up") {
+        const glm::dvec3 up = vector(key, value);
+        if (glm::length(up) == 0) fail(key, "must not be of length 0");
+        environment.up = up;
     } else if (key == "environment.intensity") {
         environment.intensity = real(key, value, 0, kMaxLight);
     } else {
-        fail(key, "is not a setting; the environment has zenith, horizon, ground, intensity");
+        fail(key, "is not a setting; the environment has zenith, horizon, ground, up, intensity");
     }
 }
 

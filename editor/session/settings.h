@@ -18,7 +18,7 @@ enum class SettingScope { camera, lights, material, displacement, heights, metho
 //   camera [eye V, look_at V, up V, fov_deg] as ten numbers (world space),
 //   material.albedo V, material.roughness S, material.specular S (of the edited object),
 //   lights[I].direction V, .position V, .color V, .intensity S, .angle_deg S, .radius S,
-//   environment.zenith V, .horizon V, .ground V, .intensity S.
+//   environment.zenith V, .horizon V, .ground V, .up V, .intensity S.
 // Changes `scene` (objects[0] for what belongs to an object) and says what changed. Throws
 // std::invalid_argument `set KEY: ...` on an unknown key, a wrong type or a value out of range, and then
 // changes nothing.

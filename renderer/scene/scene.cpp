@@ -159,6 +159,10 @@ Environment read_environment(const JsonNode& node) {
     if (node.has("zenith")) e.zenith = glm::vec3(node["zenith"].vector3(kNotNegative));
     if (node.has("horizon")) e.horizon = glm::vec3(node["horizon"].vector3(kNotNegative));
     if (node.has("ground")) e.ground = glm::vec3(node["ground"].vector3(kNotNegative));
+    if (node.has("up")) {
+        e.up = node["up"].vector3(kLength);
+        if (!(glm::length(e.up) > 0)) node["up"].fail("has no length");
+    }
     if (node.has("intensity")) e.intensity = static_cast<float>(node["intensity"].number(kNotNegative));
     return e;
 }

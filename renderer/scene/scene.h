@@ -78,6 +78,7 @@ struct Light {
 
 struct Environment {
     glm::vec3 zenith{0.35f, 0.5f, 0.8f}, horizon{0.8f, 0.82f, 0.85f}, ground{0.25f, 0.22f, 0.2f};
+    glm::dvec3 up{0, 1, 0};  // world space, where the zenith lies; of any length but 0
     float intensity = 1;
 };
 

@@ -23,7 +23,7 @@ constexpr std::string_view kCamera[] = {"eye", "look_at", "up", "fov_deg"};
 constexpr std::string_view kImage[] = {"width", "height", "spp"};
 constexpr std::string_view kSun[] = {"type", "direction", "color", "intensity", "angle_deg"};
 constexpr std::string_view kPoint[] = {"type", "position", "color", "intensity", "radius"};
-constexpr std::string_view kEnvironment[] = {"zenith", "horizon", "ground", "intensity"};
+constexpr std::string_view kEnvironment[] = {"zenith", "horizon", "ground", "up", "intensity"};
 
 constexpr SceneKeys kAll[] = {{"", kTop},
                               {"objects[]", kObject},

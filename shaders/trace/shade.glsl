@@ -3,14 +3,14 @@
 const float kPi = 3.14159265;
 
 vec3 sky_radiance(vec3 d) {
-    float h = d.y;
+    float h = dot(d, frame.sky_up);
     return h >= 0.0 ? mix(frame.horizon, frame.zenith, sqrt(h)) : mix(frame.horizon, frame.ground, sqrt(min(1.0, -4.0 * h)));
 }
 
 // Irradiance / pi of the whole, unshadowed sky over a normal: the gradient's average, cheap and smooth.
 vec3 sky_ambient(vec3 n) {
     vec3 upper = mix(frame.horizon, frame.zenith, 0.6), lower = mix(frame.horizon, frame.ground, 0.85);
-    return mix(lower, upper, 0.5 + 0.5 * n.y);
+    return mix(lower, upper, 0.5 + 0.5 * dot(n, frame.sky_up));
 }
 
 void orthonormal(vec3 n, out vec3 t, out vec3 b) {  // Duff and others 2017

@@ -386,6 +386,34 @@ def views_are_kept_and_drags_cancelled(case):
     editor.ended()
 
 
+def light_follows_the_pointer_until_a_click(case):
+    def settings():
+        return {op["key"]: op["value"] for op in operations(case.journal) if op["op"] == "set"}
+
+    editor = case.open(case.journal)
+    case.desktop.do("mousemove", 300, 280)
+    case.desktop.key("l")
+    case.desktop.do("mousemove", 380, 280)
+    wait_for("the light", lambda: "lights[0].direction" in settings())
+    case.desktop.do("click", 1)
+    editor.screenshot()
+    kept = settings()
+    assert "environment.up" not in kept, "the sky is the same from all sides"
+    case.desktop.do("mousemove", 380, 340)
+    editor.screenshot()
+    assert settings() == kept, "the click kept it"
+    # Across the way the camera stands the sky is turned, too; Esc takes it back.
+    case.desktop.key("l")
+    case.desktop.do("mousemove", 380, 400)
+    tilted = wait_for("the sky", lambda: settings().get("environment.up"))
+    assert tilted[1] < 0.99, tilted
+    case.desktop.key("Escape")
+    wait_for("the light as it was", lambda: settings() == {**kept, "environment.up": [0, 1, 0]})
+    assert not strokes(case.journal)
+    case.desktop.key("ctrl+q")
+    editor.ended()
+
+
 def new_map_export_and_revert(case):
     editor = case.open(case.journal)
     case.stroke(case.journal)
@@ -497,5 +525,5 @@ if __name__ == "__main__":
          moving_tools_and_mask_survive_a_kill, quit_asks_for_unsaved_work, resized_and_reopened,
          views_show_the_surface_each_in_its_way, two_methods_side_by_side_while_sculpting,
          why_this_pixel_lists_its_ray, first_start_opens_the_sample_with_a_hint,
-         views_are_kept_and_drags_cancelled, new_map_export_and_revert,
+         views_are_kept_and_drags_cancelled, light_follows_the_pointer_until_a_click, new_map_export_and_revert,
          painting_goes_to_a_colour_map, no_display))

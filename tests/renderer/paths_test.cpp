@@ -82,7 +82,8 @@ TEST_P(Paths, EditsAreSeenOnAll) {
 
 // Every sample scene, with its own map, textures and lights.
 TEST_P(Paths, SampleScenesAreEqualOnAll) {
-    for (const char* name : {"plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot", "fur", "scree"}) {
+    for (const char* name :
+         {"plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot", "fur", "scree"}) {
         SCOPED_TRACE(name);
         const Scene scene = load_scene(std::string(RELIEVO_SAMPLE_SCENES) + "/" + name + ".json");
         std::vector<HeightMap> maps;
@@ -129,6 +130,42 @@ TEST_P(Paths, SpecialisedImageEqualsEverythingOn) {
         RenderSettings lean = settings_of(scene), all = lean;
         all.everything = true;
         EXPECT_TRUE(beauty_of(scene, map, lean, 2) == beauty_of(scene, map, all, 2));
+    }
+}
+
+// The background by the gradient's formula; on the ball, what faces the zenith is brighter than what turns
+// away.
+TEST_P(Paths, TheSkyLiesWhereItsZenithIs) {
+    const TestMap map = bumps(64);
+    for (const glm::dvec3 up : {glm::dvec3(0, 1, 0), glm::dvec3(0, -3, 0), glm::dvec3(1, 1, 0)}) {
+        Scene scene = lit_ball();
+        scene.lights.clear();
+        scene.objects[0].material.specular = 0;
+        scene.environment = {{1, 2, 3}, {0.5f, 0.5f, 0.5f}, {0, 0, 0}, up, 1};
+        Renderer r = make_renderer(scene, map, settings_of(scene));
+        r.render();
+        const auto beauty = r.read_back(Layer::beauty), depth = r.read_back(Layer::depth),
+                   normal = r.read_back(Layer::shading_normal);
+        double lit = 0, dark = 0;  // means
+        int lit_count = 0, dark_count = 0;
+        for (std::size_t i = 0; i < depth.size(); ++i) {
+            const auto towards = [&](const glm::vec3& v) {
+                return glm::dot(glm::normalize(glm::dvec3(v)), glm::normalize(up));
+            };
+            if (std::isfinite(depth[i])) {
+                const double facing = towards({normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]});
+                const double green = static_cast<double>(beauty[4 * i + 1]);
+                if (facing > 0.5) lit += green, ++lit_count;
+                if (facing < -0.5) dark += green, ++dark_count;
+                continue;
+            }
+            const double h = towards(
+                r.camera_ray(static_cast<double>(i % 96) + 0.5, static_cast<double>(i / 96) + 0.5).direction);
+            const double wanted =
+                h >= 0 ? 0.5 + 1.5 * std::sqrt(h) : 0.5 - 0.5 * std::sqrt(std::min(1.0, -4 * h));
+            ASSERT_NEAR(beauty[4 * i + 1], wanted, 1e-3) << i;
+        }
+        EXPECT_GT(lit / lit_count, 2 * dark / dark_count);
     }
 }
 

@@ -169,9 +169,11 @@ inline constexpr SceneDocument kSceneDocuments[] = {
      "lights[0].direction: has no length"},
 
     {Verdict::good,
-     R"("environment": {"zenith": [0, 0, 9], "horizon": [1, 1, 1], "ground": [0, 0, 0], "intensity": 0})",
+     R"("environment": {"zenith": [0, 0, 9], "horizon": [1, 1, 1], "ground": [0, 0, 0], "up": [1, 0, -3], "intensity": 0})",
      ""},
     {Verdict::bad, R"("environment": {"sky": [0, 0, 1]})", ""},
+    {Verdict::bad_beyond_schema, R"("environment": {"up": [0, 0, 0]})", "environment.up: has no length"},
+    {Verdict::bad, R"("environment": {"up": "y"})", "environment.up: is a string, must be an array"},
     {Verdict::bad, R"("environment": {"zenith": 1})", "environment.zenith: is a number, must be an array"},
 
     {Verdict::good, R"("method": {"name": "pdm", "dt": 0.001, "jitter": true})", ""},

@@ -276,6 +276,8 @@ TEST(Session, WrongSettingsAreNamedAndChangeNothing) {
         {"lights[0].colour", 1.0},
         {"material.albedo", std::vector<double>{2, 0, 0}},
         {"environment.sun", 1.0},
+        {"environment.up", std::vector<double>{0, 0, 0}},
+        {"environment.up", 1.0},
     };
     for (const auto& [key, value] : wrong) {
         try {
@@ -296,6 +298,7 @@ TEST(Session, SettingsReachTheScene) {
     session.set("lights[0].intensity", 7.0);
     session.set("material.albedo", std::vector<double>{0.1, 0.2, 0.3});
     session.set("environment.intensity", 0.0);
+    session.set("environment.up", std::vector<double>{0, -2, 1});
     Camera camera;
     camera.eye = {1, 2, 3};
     camera.fov_deg = 55;
@@ -305,6 +308,7 @@ TEST(Session, SettingsReachTheScene) {
     EXPECT_EQ(session.scene().lights[0].intensity, 7.0f);
     EXPECT_EQ(session.scene().camera.eye, glm::dvec3(1, 2, 3));
     EXPECT_EQ(session.scene().camera.fov_deg, 55);
+    EXPECT_EQ(session.scene().environment.up, glm::dvec3(0, -2, 1));
 }
 
 TEST(Session, BrushesOutOfRangeAreRefused) {
