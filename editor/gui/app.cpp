@@ -14,6 +14,7 @@
 #include "editor/gui/panels.h"
 #include "editor/gui/picture_overlay.h"
 #include "editor/gui/tool_marks.h"
+#include "editor/gui/widgets.h"
 #include "editor/session/image_file.h"
 #include "editor/session/preferences.h"
 
@@ -212,6 +213,7 @@ void App::draw_interface() {
     }
     desk_.why.draw(desk_.session, reference_, layout_.picture);
     dialogs_.draw(desk_);
+    close_list_on_escape();
     const float margin = 14;
     toasts_.draw(static_cast<float>(layout_.picture.x) + margin,
                  static_cast<float>(layout_.picture.y + layout_.picture.height) - margin,

@@ -133,16 +133,16 @@ void BrushCursor::draw(ImDrawList& list, Session& session, PixelSize picture, do
     for (const glm::vec3& point : ring_)
         if (const auto px = on_screen(point)) line.push_back(*px);
     const int count = static_cast<int>(line.size());
-    list.AddPolyline(line.data(), count, kRingShadow, ImDrawFlags_Closed, 3.5f);
-    list.AddPolyline(line.data(), count, lit ? kAccent : kRing, ImDrawFlags_Closed, 1.6f);
+    list.AddPolyline(line.data(), count, kRingShadow, ImDrawFlags_Closed, points(3.5f));
+    list.AddPolyline(line.data(), count, lit ? kAccent : kRing, ImDrawFlags_Closed, points(1.6f));
     if (const auto px = on_screen(centre_->position)) {
-        list.AddCircleFilled(*px, 3.0f, kRingShadow);
-        list.AddCircleFilled(*px, 1.8f, lit ? kAccent : kRing);
+        list.AddCircleFilled(*px, points(3), kRingShadow);
+        list.AddCircleFilled(*px, points(1.8f), lit ? kAccent : kRing);
     }
     // The normal shows how the surface lies where the ring is seen edge on.
     const auto foot = on_screen(centre_->position);
     const auto tip = on_screen(centre_->position + normal_ * (0.35f * radius_));
-    if (foot && tip) list.AddLine(*foot, *tip, lit ? kAccent : kRing, 1.2f);
+    if (foot && tip) list.AddLine(*foot, *tip, lit ? kAccent : kRing, points(1.2f));
 }
 
 }  // namespace relievo::gui

@@ -99,6 +99,7 @@ void MapDialogs::name_row(MapFormat& format) {
         confirmed_ = false;
         trouble_.clear();
     }
+    tooltip(name_, "File");
 }
 
 bool MapDialogs::may_write() {

@@ -31,7 +31,8 @@ void PointerControl::on_event(const InputEvent& event, const Box& picture, bool 
     const bool over = picture_free && picture.holds(event.x, event.y);
     switch (event.kind) {
         case InputEvent::Kind::press:
-            if (over && !dragging()) on_press(local);
+            // What a key has started is kept by a click anywhere.
+            if ((over || desk_->view.brush_drag != BrushDrag::none) && !dragging()) on_press(local);
             break;
         case InputEvent::Kind::move:
             on_move(local);

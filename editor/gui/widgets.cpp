@@ -2,6 +2,7 @@
 #include "editor/gui/widgets.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +136,15 @@ bool push_button(const char* label, bool enabled, std::string_view text) {
 
 bool escape_pressed() {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+}
+
+void close_list_on_escape() {
+    if (!escape_pressed()) return;
+    const auto& open = ImGui::GetCurrentContext()->OpenPopupStack;
+    if (open.empty()) return;
+    const ImGuiWindow* window = open.back().Window;
+    if (window != nullptr && !(window->Flags & ImGuiWindowFlags_Modal))
+        ImGui::ClosePopupToLevel(open.Size - 1, true);
 }
 
 bool dialog_button(const char* label, bool suggested) {

@@ -39,6 +39,8 @@ bool begin_modal(const char* title, bool* keep);
 // A dialog's button; the suggested one is what Enter pushes.
 bool dialog_button(const char* label, bool suggested = false);
 bool escape_pressed();
+// Lists that unfold and pickers of colours, which Dear ImGui 1.86 leaves open. Called once a frame, after all else.
+void close_list_on_escape();
 void note(std::string_view text);  // a line about what is wrong in a dialog; it keeps its place when empty
 
 // Puts the cursor where a control of the row begins, after drawing its label.

@@ -15,7 +15,7 @@ from desktop import Desktop, Editor, operations
 from hands import Hands
 
 SIZE = (1000, 640)
-KEYS = ("1 2 3 4 5 6 7 8 9 bracketleft bracketright f x y z a KP_1 KP_3 KP_5 KP_7 v v c p p s F2 Tab Escape space "
+KEYS = ("1 2 3 4 5 6 7 8 9 bracketleft bracketright f x y z a l m KP_1 KP_3 KP_5 KP_7 v v c p p s F2 Tab Escape space "
         "BackSpace Left Right Up Down").split()
 HELD = ([], [], ["Shift_L"], ["Control_L"], ["Alt_L"], ["Control_L", "Shift_L"])
 EDITS = [("z", ["Control_L"]), ("z", ["Control_L", "Shift_L"]), ("y", ["Control_L"]), ("s", ["Control_L"])]
