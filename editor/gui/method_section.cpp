@@ -50,7 +50,7 @@ void parameter_rows(const Method& method, const MethodChoice& choice, const SetP
         auto value = static_cast<float>(values.at(name));
         const bool decades = parameter.low > 0 && parameter.high / parameter.low > 50;
         const Range range{static_cast<float>(parameter.low), static_cast<float>(parameter.high), decades,
-                          decades ? "%.5f" : "%.3f"};
+                          "%.5g"};
         if (slider_row(label, value, range, parameter.tooltip, parameter.unit))
             set(name, std::clamp(static_cast<double>(value), parameter.low, parameter.high));
     }

@@ -118,6 +118,19 @@ void strength_slider(Desk& desk) {
             "Strength");
 }
 
+void symmetry_buttons(Desk& desk) {
+    constexpr std::array kFlags{&Brush::mirror_x, &Brush::mirror_y, &Brush::mirror_z};
+    constexpr std::array kNames{"X", "Y", "Z"};
+    for (std::size_t axis = 0; axis < kFlags.size(); ++axis) {
+        if (axis > 0) ImGui::SameLine(0, points(4));
+        const bool on = desk.session.brush().*kFlags[axis];
+        if (on) ImGui::PushStyleColor(ImGuiCol_Button, kAccentDim);
+        if (push_button(kNames[axis], true, "Symmetry across this axis of the object; X, Y and Z toggle it."))
+            desk.toggle_symmetry(axis);
+        if (on) ImGui::PopStyleColor();
+    }
+}
+
 void view_combo(Desk& desk) {
     const ViewInfo& now = view_info(desk.live.view());
     if (ImGui::BeginCombo("##view", std::string(now.name).c_str(), ImGuiComboFlags_HeightLarge)) {
@@ -174,7 +187,7 @@ struct BarItem {
 constexpr std::array kItems{
     BarItem{"Size", 130, 2, size_slider},     BarItem{"Strength", 110, 3, strength_slider},
     BarItem{"Falloff", 96, 4, falloff_combo}, BarItem{"Method", 110, 1, method_combo},
-    BarItem{"View", 118, 0, view_combo},
+    BarItem{"View", 118, 0, view_combo},      BarItem{"Symmetry", 90, 5, symmetry_buttons},
 };
 
 // The ranks below it fit into `room` pixels.
