@@ -153,9 +153,22 @@ bool App::picture_free_at(double x, double y) const {
     return picture_free() && !desk_.why.holds(x, y);
 }
 
+// Moves that wait because the hand is ahead of the dabs are not worth doing where Esc follows them.
+void App::skip_to_escape() {
+    auto& events = window_->events();
+    const auto is_escape = [](const InputEvent& e) {
+        return e.kind == InputEvent::Kind::key && e.code == GLFW_KEY_ESCAPE;
+    };
+    const auto end = std::find_if(events.begin(), events.end(), [&](const InputEvent& e) {
+        return e.kind == InputEvent::Kind::release || is_escape(e);
+    });
+    if (end != events.end() && is_escape(*end)) events.erase(events.begin(), end);
+}
+
 void App::handle_input() {
     const auto start = Clock::now();
     auto& events = window_->events();
+    if (pointer_.in_stroke()) skip_to_escape();
     const bool late =
         !events.empty() && window_->now_us() - static_cast<double>(events.front().time_us) > kLateUs;
     while (!events.empty() && ms_since(start) < (late ? kLateInputMs : kInputMs)) {

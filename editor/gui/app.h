@@ -29,6 +29,7 @@ class App {
     void draw();
     void note_traced();
     void end_hint();
+    void skip_to_escape();
     void handle_input();
     void handle_key(const InputEvent& event);
     bool picture_free() const;
