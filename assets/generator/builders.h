@@ -13,7 +13,7 @@ namespace relievo::assets {
 // What an asset's file makes: the mesh and the functions that its maps are painted from.
 struct Sculpture {
     Shape shape;
-    HeightFunction height;
+    HeightFunction height;  // empty, and no exemplar: no map is made
     FreeHeightFunction free_height = {};  // for texels in no island
     HeightFunction opacity = {};          // empty: opaque; else over 0.5 is solid
     std::function<double(double, double)> exemplar = {};  // of u and v: the map is a whole image, not of islands
@@ -80,5 +80,7 @@ Sculpture make_stump();
 Sculpture make_knot();
 Sculpture make_fur();
 Sculpture make_scree();
+Sculpture make_procedural_plane();
+Sculpture make_procedural_sphere();
 
 }  // namespace relievo::assets

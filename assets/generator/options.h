@@ -16,8 +16,8 @@ inline constexpr std::string_view kUsage =
     "  -o FOLDER         where to; made if missing\n"
     "  --size N          texels a side of the maps, 64 to 8192 (1024); seams are exact from 256 on, at "
     "powers of two\n"
-    "  --only NAME       one asset: plane, asteroid, chainmail, leather, orb, stump, knot, fur or scree; no "
-    "images\n"
+    "  --only NAME       one asset: plane, asteroid, chainmail, leather, orb, stump, knot, fur, scree,\n"
+    "                    procedural_plane or procedural_sphere; no images\n"
     "  --scenes FOLDER   copy the scene files from there to FOLDER/scenes, so that the result can be "
     "opened\n";
 

@@ -29,7 +29,9 @@ constexpr Entry kEntries[] = {{"plane", make_plane},
                               {"stump", make_stump},
                               {"knot", make_knot},
                               {"fur", make_fur},
-                              {"scree", make_scree}};
+                              {"scree", make_scree},
+                              {"procedural_plane", make_procedural_plane},
+                              {"procedural_sphere", make_procedural_sphere}};
 
 // Single-channel PNG of 16 or 8 bits. `map` has row 0 at the bottom, the file has it last.
 void write_png(const fs::path& path, const std::vector<std::uint16_t>& map, int size, int bits) {
@@ -67,6 +69,7 @@ void make_sample(const Entry& entry, const Options& options) {
     const std::string name = entry.name;
     write_obj(sculpture.shape, options.output / "meshes" / (name + ".obj"));
     write_sample_strokes(name, sculpture.shape, options.output / "strokes");
+    if (!sculpture.exemplar && !sculpture.height) return;
     const Atlas atlas(sculpture.shape);
     const fs::path maps = options.output / "maps";
     write_png(maps / (name + ".png"),

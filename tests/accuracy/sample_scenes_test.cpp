@@ -57,7 +57,7 @@ TEST_P(SampleScenes, MethodsKeepTheirPromises) {
 
 INSTANTIATE_TEST_SUITE_P(All, SampleScenes,
                          testing::Values("plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot",
-                                         "fur", "scree"),
+                                         "fur", "scree", "procedural_plane", "procedural_sphere"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

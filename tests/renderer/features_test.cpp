@@ -64,7 +64,8 @@ TEST(Features, SampleScenesBuildWhatTheyNeed) {
                                       "gloss",            "own BVH",         "image"};
     const std::map<std::string, std::set<std::string>> by_scene{
         {"plane", {}}, {"asteroid", {}}, {"chainmail", {"opacity maps"}}, {"leather", {}},
-        {"orb", {}},   {"stump", {}},    {"knot", {}},                    {"fur", {}}, {"scree", {"procedural heights"}}};
+        {"orb", {}},   {"stump", {}},    {"knot", {}},                    {"fur", {}}, {"scree", {"procedural heights"}},
+        {"procedural_plane", {"procedural heights"}}, {"procedural_sphere", {"procedural heights"}}};
     const std::map<std::string, std::set<std::string>> by_method{
         {"pdm", {"thin-feature jitter", "normal correction"}},
         {"exact", {"min-max pyramid", "surface bounds", "normal correction"}}};

@@ -82,8 +82,8 @@ TEST_P(Paths, EditsAreSeenOnAll) {
 
 // Every sample scene, with its own map, textures and lights.
 TEST_P(Paths, SampleScenesAreEqualOnAll) {
-    for (const char* name :
-         {"plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot", "fur", "scree"}) {
+    for (const char* name : {"plane", "asteroid", "chainmail", "leather", "orb", "stump", "knot", "fur", "scree",
+                             "procedural_plane", "procedural_sphere"}) {
         SCOPED_TRACE(name);
         const Scene scene = load_scene(std::string(RELIEVO_SAMPLE_SCENES) + "/" + name + ".json");
         std::vector<HeightMap> maps;
