@@ -42,6 +42,7 @@ TEST(Points, EveryMethodIsTriedAndEveryValueThatItsDescriptionSweeps) {
     for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(points[i].method->name, names[i]);
     EXPECT_EQ(comparison_points({"pdm"}).front().label, "pdm dt 0.02");
     EXPECT_EQ(comparison_points({"exact"}).front().label, "exact");
+    EXPECT_EQ(comparison_points({"dbvh"}).front().label, "dbvh leaf box level 3");
 }
 
 TEST(Points, OverAProceduralSourceDbvhIsSweptByRange) {
@@ -53,6 +54,17 @@ TEST(Points, OverAProceduralSourceDbvhIsSweptByRange) {
     EXPECT_EQ(ranges, (std::set<double>{0, 8, 16, 64, 128, 256, 512}));
     for (const PointChoice& point : comparison_points({"dbvh"})) EXPECT_FALSE(point.swept.contains("range"));
     EXPECT_EQ(comparison_points({"march"}, true).size(), comparison_points({"march"}).size());
+}
+
+TEST(Points, AreOfOneLineWhereOnlyTheLastSweptParameterDiffers) {
+    EXPECT_EQ(swept_line("dbvh", {{"leaf", 1}, {"level", 3}}), "triangles ");
+    EXPECT_EQ(swept_line("dbvh", {{"leaf", 1}, {"level", 2}}), "triangles ");
+    EXPECT_NE(swept_line("dbvh", {{"leaf", 2}, {"level", 2}}), "triangles ");
+    EXPECT_EQ(swept_line("pdm", {{"dt", 0.01}}), "");
+    EXPECT_EQ(swept_line("exact", {}), "");
+    EXPECT_EQ(swept_line("unknown", {{"dt", 0.01}}), "");
+    EXPECT_EQ(swept_text("dbvh", "leaf", 2), "bilinear");
+    EXPECT_EQ(swept_text("dbvh", "range", 64), "64");
 }
 
 TEST(Answers, ComparesTimesAtEqualErrorByRounds) {

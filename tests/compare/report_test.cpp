@@ -133,6 +133,28 @@ TEST(Plots, MarkTheFrontAndHollowPoints) {
     EXPECT_EQ(overall_plot(c, PlottedError::p99).series.size(), 6u);
 }
 
+TEST(Plots, LinesBreakWhereAnotherBeginsAndLongLegendsWrap) {
+    Plot plot;
+    plot.series.push_back({"dbvh", 0, {}, false});
+    const auto add = [&](double x, const char* line) {
+        PlotPoint p;
+        p.x = p.y = p.x_low = p.x_high = x;
+        p.line = line;
+        plot.series[0].points.push_back(p);
+    };
+    add(1, "box");
+    add(2, "box");
+    add(3, "bilinear");
+    const std::string svg = plot_svg(plot, true);
+    const auto from = svg.find(" d='M", svg.find("stroke-opacity='0.75'")), to = svg.find("'/>", from);
+    const std::string line = svg.substr(from + 4, to - from - 4);
+    EXPECT_EQ(std::count(line.begin(), line.end(), 'M'), 2) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), 'L'), 1) << line;
+    EXPECT_EQ(svg.find("translate(74.0 61.0)"), std::string::npos);
+    for (int i = 0; i < 8; ++i) plot.series.push_back({"another method", i, {}, false});
+    EXPECT_NE(plot_svg(plot, true).find("translate(74.0 61.0)"), std::string::npos);
+}
+
 TEST(Plots, OfNothingAreEmptyAxes) {
     Comparison c = made_up();
     for (ComparedScene& s : c.scenes)

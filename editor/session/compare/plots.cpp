@@ -25,7 +25,7 @@ const char* name_of(PlottedError error) {
 // The swept values alone: the series' colour tells the method.
 std::string short_label(const ComparedPoint& point) {
     std::string label;
-    for (const auto& [name, value] : point.swept) label += (label.empty() ? "" : ", ") + swept_text(value);
+    for (const auto& [name, value] : point.swept) label += (label.empty() ? "" : ", ") + swept_text(point.method, name, value);
     return label.empty() ? point.method : label;
 }
 
@@ -46,6 +46,7 @@ std::string device_note(const Comparison& comparison) {
 }
 
 struct Median {
+    std::string line;
     std::vector<double> times, errors;
     int hollow = 0;
 };
@@ -69,7 +70,8 @@ Plot scene_plot(const Comparison& comparison, const ComparedScene& scene, Plotte
             const Spread time = spread_of(point.primary.wall);
             const double e = error_of(point, error);
             series.points.push_back(
-                {time.median, e, time.p10, time.p90, short_label(point), tip_of(point, e), hollow(point)});
+                {time.median, e, time.p10, time.p90, short_label(point), tip_of(point, e), hollow(point),
+                 swept_line(point.method, point.swept)});
         }
         plot.series.push_back(std::move(series));
     }
@@ -96,10 +98,12 @@ Plot overall_plot(const Comparison& comparison, PlottedError error) {
                 if (point.method != method || ratio <= 0) continue;
                 const double e = error_of(point, error);
                 thin.points.push_back(
-                    {ratio, e, ratio, ratio, "", scene.name + ", " + tip_of(point, e), false});
+                    {ratio, e, ratio, ratio, "", scene.name + ", " + tip_of(point, e), false,
+                     swept_line(method, point.swept)});
                 const std::string label = short_label(point);
                 if (!medians.contains(label)) order.push_back(label);
                 Median& median = medians[label];
+                median.line = swept_line(method, point.swept);
                 median.times.push_back(ratio);
                 median.errors.push_back(e);
                 median.hollow += hollow(point) ? 1 : 0;
@@ -113,7 +117,7 @@ Plot overall_plot(const Comparison& comparison, PlottedError error) {
             const double time = spread_of(median.times).median, e = spread_of(median.errors).median;
             thick.points.push_back({time, e, time, time, label,
                                     method + " " + label + ": median of the scenes",
-                                    2 * median.hollow > static_cast<int>(median.times.size())});
+                                    2 * median.hollow > static_cast<int>(median.times.size()), median.line});
         }
         plot.series.push_back(std::move(thick));
     }

@@ -14,6 +14,18 @@ std::string swept_text(double value) {
 
 namespace {
 
+// Null: a method that is not of the registry.
+const Method* known_method(const std::string& name) {
+    const auto all = methods();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Method* m) { return m->name == name; });
+    return found == all.end() ? nullptr : *found;
+}
+
+std::string value_text(const MethodParameter& parameter, double value) {
+    const bool named = value >= 0 && value < static_cast<double>(parameter.names.size());
+    return named ? std::string(parameter.names[static_cast<std::size_t>(value)]) : swept_text(value);
+}
+
 std::vector<PointChoice> sweep(const Method& method, bool procedural) {
     std::vector<PointChoice> points{{&method, {}, std::string(method.name)}};
     const bool own = procedural && std::any_of(method.parameters.begin(), method.parameters.end(),
@@ -26,7 +38,7 @@ std::vector<PointChoice> sweep(const Method& method, bool procedural) {
             for (const double value : values) {
                 longer.push_back(point);
                 longer.back().swept[std::string(parameter.name)] = value;
-                longer.back().label.append(" ").append(parameter.name).append(" ").append(swept_text(value));
+                longer.back().label.append(" ").append(parameter.name).append(" ").append(value_text(parameter, value));
             }
         }
         points = std::move(longer);
@@ -35,6 +47,25 @@ std::vector<PointChoice> sweep(const Method& method, bool procedural) {
 }
 
 }  // namespace
+
+std::string swept_text(const std::string& method, const std::string& parameter, double value) {
+    if (const Method* known = known_method(method))
+        for (const MethodParameter& p : known->parameters)
+            if (p.name == parameter) return value_text(p, value);
+    return swept_text(value);
+}
+
+std::string swept_line(const std::string& method, const std::map<std::string, double>& swept) {
+    std::string line, last;
+    if (const Method* known = known_method(method))
+        for (const MethodParameter& p : known->parameters) {
+            const auto value = swept.find(std::string(p.name));
+            if (value == swept.end()) continue;
+            line += last;
+            last = value_text(p, value->second) + " ";
+        }
+    return line;
+}
 
 std::vector<PointChoice> comparison_points(const std::vector<std::string>& names, bool procedural) {
     std::vector<std::vector<PointChoice>> sweeps;

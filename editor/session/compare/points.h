@@ -20,5 +20,10 @@ struct PointChoice {
 std::vector<PointChoice> comparison_points(const std::vector<std::string>& methods, bool procedural = false);
 
 std::string swept_text(double value);  // "0.0005"
+// By its name where the method's parameter has one: "triangles".
+std::string swept_text(const std::string& method, const std::string& parameter, double value);
+// Of a method that sweeps several parameters, the values of all but the last: points that differ in that one
+// alone are of one line.
+std::string swept_line(const std::string& method, const std::map<std::string, double>& swept);
 
 }  // namespace relievo

@@ -12,7 +12,7 @@
 namespace relievo {
 namespace {
 
-constexpr double kWidth = 660, kHeight = 442, kLeft = 74, kRight = 26, kTop = 62, kBottom = 86;
+constexpr double kWidth = 660, kHeight = 442, kLeft = 74, kRight = 26, kLegend = 44, kBottom = 86;
 constexpr double kMarker = 5;
 
 template <typename... Values>
@@ -56,7 +56,7 @@ struct Frame {
     Axis x, y;
 };
 
-Frame frame_of(const Plot& plot) {
+Frame frame_of(const Plot& plot, double top) {
     double x_low = std::numeric_limits<double>::infinity(), x_high = 0, y_low = x_low, y_high = 0;
     for (const PlotSeries& series : plot.series)
         for (const PlotPoint& p : series.points) {
@@ -71,7 +71,7 @@ Frame frame_of(const Plot& plot) {
     const auto decade_above = [](double v) { return std::pow(10.0, std::ceil(std::log10(v) - 1e-9)); };
     return {{x_low / 1.25, x_high * 1.35, kLeft, kWidth - kRight},
             {decade_below(y_low) / (decade_below(y_low) < y_low / 1.5 ? 1 : 1.8), decade_above(y_high) * 1.4,
-             kHeight - kBottom, kTop}};
+             kHeight - kBottom, top}};
 }
 
 std::string axes(const Plot& plot, const Frame& f) {
@@ -104,10 +104,14 @@ std::string axes(const Plot& plot, const Frame& f) {
 
 std::string line_of(const PlotSeries& series, const Frame& f) {
     if (series.points.size() < 2) return "";
-    std::string path = "<polyline fill='none' stroke='" + plot_color(series.color) +
-                       text_of("' stroke-width='%s' stroke-opacity='%s' points='",
-                               series.faint ? "1.2" : "1.8", series.faint ? "0.35" : "0.75");
-    for (const PlotPoint& p : series.points) path += text_of("%.1f,%.1f ", f.x.at(p.x), f.y.at(p.y));
+    std::string path = "<path fill='none' stroke='" + plot_color(series.color) +
+                       text_of("' stroke-width='%s' stroke-opacity='%s' d='", series.faint ? "1.2" : "1.8",
+                               series.faint ? "0.35" : "0.75");
+    const PlotPoint* last = nullptr;
+    for (const PlotPoint& p : series.points) {
+        path += text_of("%s%.1f %.1f", last && last->line == p.line ? "L" : "M", f.x.at(p.x), f.y.at(p.y));
+        last = &p;
+    }
     return path + "'/>";
 }
 
@@ -151,13 +155,23 @@ std::string front_of(const Plot& plot, const Frame& f) {
     return "<path d='" + steps + text_of("H%.1f", f.x.to) + "' class='front'/>" + rings;
 }
 
-std::string legend_of(const Plot& plot) {
+struct Legend {
     std::string svg;
+    double y = kLegend;  // of its last row
+};
+
+Legend legend_of(const Plot& plot) {
+    Legend legend;
     double x = kLeft;
     const auto entry = [&](const std::string& mark, const std::string& name) {
-        svg += "<g transform='" + text_of("translate(%.1f 44)", x) + "'>" + mark + "<text x='13' y='4'>" +
-               escaped(name) + "</text></g>";
-        x += 30 + 6.8 * static_cast<double>(name.size());
+        const double width = 13 + 6.8 * static_cast<double>(name.size());
+        if (x + width > kWidth && x > kLeft) {
+            x = kLeft;
+            legend.y += 17;
+        }
+        legend.svg += "<g transform='" + text_of("translate(%.1f %.1f)", x, legend.y) + "'>" + mark +
+                      "<text x='13' y='4'>" + escaped(name) + "</text></g>";
+        x += width + 17;
     };
     bool hollow = false;
     for (const PlotSeries& series : plot.series) {
@@ -170,7 +184,7 @@ std::string legend_of(const Plot& plot) {
     if (hollow)
         entry(text_of("<circle cx='3' r='%.1f' fill='#fff' stroke='#555' stroke-width='1.8'/>", kMarker),
               "over 0.1% of hits missed or invented");
-    return svg;
+    return legend;
 }
 
 constexpr const char* kStyle =
@@ -218,14 +232,15 @@ std::string escaped(const std::string& text) {
 }
 
 std::string plot_svg(const Plot& plot, bool standalone) {
-    const Frame frame = frame_of(plot);
+    const Legend legend = legend_of(plot);
+    const Frame frame = frame_of(plot, legend.y + 18);
     std::string svg =
         text_of("<svg%s viewBox='0 0 %.0f %.0f' width='%.0f' height='%.0f' role='img'>",
                 standalone ? " xmlns='http://www.w3.org/2000/svg'" : "", kWidth, kHeight, kWidth, kHeight);
     svg += kStyle;
     svg += text_of("<rect width='%.0f' height='%.0f' fill='#fff'/>", kWidth, kHeight);
     svg += text_of("<text x='%.1f' y='24' class='t'>%s</text>", kLeft, escaped(plot.title).c_str());
-    svg += legend_of(plot) + axes(plot, frame) + front_of(plot, frame);
+    svg += legend.svg + axes(plot, frame) + front_of(plot, frame);
     for (const bool faint : {true, false})
         for (const PlotSeries& series : plot.series)
             if (series.faint == faint) svg += line_of(series, frame) + marks_of(series, frame);

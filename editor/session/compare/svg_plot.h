@@ -12,6 +12,7 @@ struct PlotPoint {
     double x_low = 0, x_high = 0;  // spread; equal to x: none
     std::string label, tip;        // beside the point, and when it is pointed at
     bool hollow = false;
+    std::string line = {};  // neighbours are joined where it is the same
 };
 struct PlotSeries {
     std::string name;  // in the legend; empty: not there
