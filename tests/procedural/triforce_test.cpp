@@ -107,6 +107,19 @@ TEST(TriforceBounds, hold_noise_and_two_values) {
     check_parts(two_valued_exemplar(64, 64), {{}, 1, {0, 0}, 2, 0.5}, 3000);
 }
 
+TEST(TriforceBounds, hold_extreme_settings) {
+    constexpr std::uint32_t kMostBits = 4294967295u;
+    for (const std::uint32_t seed : {0u, kMostBits})
+        for (const double size : {Procedural::kLeastTriangle, 0.25, Procedural::kMostTriangle})
+            for (const double scale : {Procedural::kLeastScale, Procedural::kMostScale}) {
+                SCOPED_TRACE(testing::Message() << "seed " << seed << ", triangle " << size << ", scale " << scale);
+                const Procedural settings{{}, scale, {-Procedural::kMostOffset, Procedural::kMostOffset}, seed, size};
+                check_parts(noise_exemplar(9, 16), settings, 300);
+                check_parts(constant_exemplar(1, 1, 20000), settings, 60);
+                check_parts(constant_exemplar(7, 3, 65535), settings, 60);
+            }
+}
+
 TEST(TriforceBounds, are_tighter_than_the_whole_sources) {
     const Exemplar exemplar = rough_exemplar(512, 512);
     const ProceduralSource source = exemplar.source({{}, 1, {0, 0}, 6, 0.25});
