@@ -52,7 +52,10 @@ json movable(const Scene& scene) {
         make_absolute(object, "mesh", folder);
         make_absolute(object, "opacity_map", folder);
         if (object.contains("material")) make_absolute(object["material"], "albedo_map", folder);
-        if (object.contains("displacement")) make_absolute(object["displacement"], "map", folder);
+        if (!object.contains("displacement")) continue;
+        json& displacement = object["displacement"];
+        make_absolute(displacement, "map", folder);
+        if (displacement.contains("procedural")) make_absolute(displacement["procedural"], "exemplar", folder);
     }
     return root;
 }
@@ -61,7 +64,9 @@ json movable(const Scene& scene) {
 fs::path with_map(const Scene& scene, const fs::path& map, const fs::path& colours = {}) {
     json root = movable(scene);
     json& displacement = root["objects"][0]["displacement"];
-    displacement.erase("size");
+    // A map that stands for procedural heights is a bake: it is clamped as that is.
+    if (displacement.contains("procedural")) displacement["wrap"] = "clamp";
+    for (const char* key : {"size", "procedural"}) displacement.erase(key);
     displacement["map"] = fs::absolute(map).lexically_normal().string();
     if (!colours.empty())
         root["objects"][0]["material"]["albedo_map"] = fs::absolute(colours).lexically_normal().string();

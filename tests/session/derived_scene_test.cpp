@@ -76,6 +76,29 @@ TEST_F(DerivedScene, AnotherMapKeepsTheRestOfTheScene) {
     EXPECT_EQ(session.header().mesh_hash, before.header().mesh_hash);
 }
 
+TEST_F(DerivedScene, AnotherMapKeepsTheMethodAndItsNamedParameters) {
+    std::string text = test::read_text(scene_);
+    text.insert(text.rfind('}'), R"(, "method": {"name": "dbvh", "leaf": "triangles", "level": 1})");
+    test::write_text(scene_, text);
+    save_map(HeightMap(33, 20, 7), at("other.tif"), MapFormat::tiff16);
+    const Session session(scene_with_map(scene_, at("other.tif")), test::headless());
+    EXPECT_EQ(session.scene().method.name, "dbvh");
+    EXPECT_EQ(session.scene().method.parameters, (std::map<std::string, double>{{"leaf", 1}, {"level", 1}}));
+}
+
+TEST_F(DerivedScene, AMapTakesThePlaceOfProceduralHeightsAsTheirBakeDoes) {
+    std::string text = test::read_text(scene_);
+    const std::string map = R"("map": "map.tif")";
+    text.replace(text.find(map), map.size(), R"("procedural": {"exemplar": "map.tif"})");
+    test::write_text(scene_, text);
+    save_map(HeightMap(33, 20, 7), at("bake.png"), MapFormat::png16);
+    const Session session(scene_with_map(scene_, at("bake.png")), test::headless());
+    const Displacement& displacement = session.scene().objects[0].displacement;
+    EXPECT_FALSE(displacement.procedural);
+    EXPECT_EQ(displacement.map, at("bake.png"));
+    EXPECT_EQ(displacement.wrap, Wrap::clamp);
+}
+
 TEST_F(DerivedScene, WhatIsNoMapIsRefused) {
     EXPECT_THROW(scene_with_map(scene_, at("sheet.obj")), std::invalid_argument);
     EXPECT_THROW(scene_with_map(scene_, at("none.png")), std::invalid_argument);
