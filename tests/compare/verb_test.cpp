@@ -71,6 +71,22 @@ class CompareVerb : public testing::Test {
     std::string scene_;
 };
 
+// No edits are timed there: procedural heights have none.
+TEST_F(CompareVerb, MeasuresProceduralHeights) {
+    if (!test::have_device()) GTEST_SKIP() << "no Vulkan device";
+    std::string text = test::read_text(write_lump());
+    const std::string map = R"("map": "lump.tif")";
+    text.replace(text.find(map), map.size(), R"("procedural": {"exemplar": "lump.tif"})");
+    test::write_text(path("procedural.json"), text);
+    const Outcome outcome = run_program({"compare", path("procedural.json"), "-o", path("report"), "--methods",
+                                         "march", "--size", "24x24"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const auto results = nlohmann::json::parse(test::read_text(path("report/results.json")));
+    const auto& points = results["scenes"][0]["points"];
+    EXPECT_GE(points.size(), 5u);
+    for (const auto& point : points) EXPECT_FALSE(point.contains("edit") && !point["edit"].is_null());
+}
+
 TEST_F(CompareVerb, WritesAReportWithinItsBudget) {
     if (!test::have_device()) GTEST_SKIP() << "no Vulkan device";
     constexpr double kBudget = 12;

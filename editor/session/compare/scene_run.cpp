@@ -203,7 +203,8 @@ void SceneRun::measure_times() {
     std::vector<TimedPoint> points;
     for (std::size_t i = 0; i < result_.points.size(); ++i)
         points.push_back({choices_[i], &result_.points[i], measured_[i].frame_ms * pixels()});
-    const double kept = budget_.endless() ? 0 : kEditsPart * budget_.limit();
+    const bool edited = !scene().objects.front().displacement.procedural;
+    const double kept = budget_.endless() || !edited ? 0 : kEditsPart * budget_.limit();
     if (!budget_.endless()) fit_points(points, budget_.left() - kept, result_.cut);
     const auto telling = [&](const char* what, double from, double to) {
         return [this, what, from, to](int round, int rounds) {
@@ -213,8 +214,9 @@ void SceneRun::measure_times() {
     };
     result_.rounds = time_frames(*renderers_, points, budget_, kept,
                                  telling("frames, round ", kErrorsPart, 1 - kEditsPart));
-    time_edits(*renderers_, points, scene_.map(0), edited_place(), budget_,
-               telling("edits, round ", 1 - kEditsPart, 1));
+    if (edited)
+        time_edits(*renderers_, points, scene_.map(0), edited_place(), budget_,
+                   telling("edits, round ", 1 - kEditsPart, 1));
     if (!budget_.endless() && result_.rounds < 3)
         result_.cut.push_back("frames were timed in only " + std::to_string(result_.rounds) +
                               (result_.rounds == 1 ? " round" : " rounds"));
