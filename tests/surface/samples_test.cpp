@@ -55,7 +55,8 @@ TEST(Samples, aligned_seams_close_exactly_whatever_the_map) {
             path.stem().c_str(), mesh.faces.size(), gaps.size(), aligned, table.copies.size(),
             table.equations.size(), ms);
         EXPECT_EQ(max_seam_gap(mesh, map, Wrap::repeat, true), 0) << path;
-        if (path.stem() == "stump") {
+        // Both have seams that slant; heights of the latter are procedural, and sculpted when they are baked.
+        if (path.stem() == "stump" || path.stem() == "procedural_sphere") {
             EXPECT_LT(static_cast<std::size_t>(aligned), gaps.size());
         } else {
             EXPECT_TRUE(table.equations.empty()) << path;
