@@ -140,7 +140,7 @@ def mask_is_shown_darker_and_in_no_journal(case):
         return sum(pixels) / len(pixels)
 
     before = look()
-    case.desktop.key("shift+4")
+    case.desktop.key("shift+6")
     assert case.stroke(case.journal)["brush"]["tool"] == "mask"
     masked = look()
     assert brightness(masked) < brightness(before) - 2, (brightness(masked), brightness(before))
@@ -184,7 +184,7 @@ def crash_offers_recovery(case):
 def moving_tools_and_mask_survive_a_kill(case):
     """Mask, then grab, smear and draw beside it, mirrored: a save, kill -9, Restore, and all bytes are the same."""
     editor = case.open()
-    case.desktop.key("shift+4")
+    case.desktop.key("shift+6")
     case.desktop.drag(STROKE[:12])
     journal = wait_for("the recovery journal", case.recovery_journals)[0]
     wait_for("the mask's stroke in it", lambda: strokes(journal))
