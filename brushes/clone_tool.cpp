@@ -25,18 +25,20 @@ void clone(const Work& work) {
     const TangentFrame here =
         tangent_frame(source.base_normal, turned(there.right, glm::dvec3(work.place.hand)));
     const Relief relief(work, source, work.place.radius);
-    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
-        const float weight = work.weight(texel);
-        if (weight == 0.0f || !(glm::dot(texel.normal, target.base_normal) > 0.0f)) continue;
-        const glm::dvec3 offset = glm::dvec3(base_of(work, texel)) - glm::dvec3(target.base);
+    const std::vector<SurfaceTexel> texels = work.texels(work.place.radius);
+    in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
+        const SurfaceTexel& texel = texels[i];
+        const float weight = part.weight(texel);
+        if (weight == 0.0f || !(glm::dot(texel.normal, target.base_normal) > 0.0f)) return;
+        const glm::dvec3 offset = glm::dvec3(base_of(part, texel)) - glm::dvec3(target.base);
         const glm::dvec3 place = glm::dvec3(source.base) + glm::dot(offset, there.right) * here.right +
                                  glm::dot(offset, there.up) * here.up;
         const auto fit = relief.at(glm::vec3(place), source.base_normal);
-        if (!fit) continue;
-        const float before = static_cast<float>(work.stroke.before(texel.x, texel.y));
+        if (!fit) return;
+        const float before = static_cast<float>(part.stroke.before(texel.x, texel.y));
         const float change = (static_cast<float>(fit->value) - before) * weight;
-        if (std::abs(change) > std::abs(work.change(texel))) work.change_to(texel, change);
-    }
+        if (std::abs(change) > std::abs(part.change(texel))) part.change_to(texel, change);
+    });
 }
 
 }  // namespace relievo

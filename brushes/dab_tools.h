@@ -37,6 +37,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "brushes/brush.h"
@@ -83,7 +84,7 @@ bool adds_up(const Brush& brush);
 std::vector<TexelChange> dab_changes(const Brush& brush, const DabPlace& place, const Surface& surface,
                                      const Seams& seams, const StrokeTiles& stroke, const HeightMap* mask);
 
-// Writes the changes of a dab's copies, in any order to the same effect. `add_up`: as adds_up() says.
-void apply_together(std::vector<TexelChange> changes, bool add_up, StrokeTiles& stroke);
+// Writes the changes of a dab's copies, each as dab_changes() gave them. `add_up`: as adds_up() says.
+void apply_together(std::span<const std::vector<TexelChange>> of_copies, bool add_up, StrokeTiles& stroke);
 
 }  // namespace relievo

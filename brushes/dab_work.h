@@ -8,6 +8,7 @@
 
 #include "brushes/dab_tools.h"
 #include "brushes/seams.h"
+#include "brushes/shared_work.h"
 
 namespace relievo {
 
@@ -71,6 +72,20 @@ struct Work {
         if (to != from) changes.push_back({t.x, t.y, from, to});
     }
 };
+
+// Calls each(part, i) for every i in [0, count), in blocks that the cores share: `part` is `work` with
+// changes of its own, which come together in the order of i.
+template <typename Each>
+void in_blocks(const Work& work, std::size_t count, const Each& each) {
+    constexpr std::size_t kBlock = 2048;  // texels: of a tool that resamples, a few milliseconds
+    std::vector<std::vector<TexelChange>> changes((count + kBlock - 1) / kBlock);
+    share_work(changes.size(), [&](std::size_t block) {
+        const Work part{work.brush,  work.place, work.surface,         work.seams,
+                        work.stroke, work.mask,  work.counts_per_unit, changes[block]};
+        for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) each(part, i);
+    });
+    for (const auto& own : changes) work.changes.insert(work.changes.end(), own.begin(), own.end());
+}
 
 void draw(const Work& work);
 void inflate(const Work& work);

@@ -31,13 +31,15 @@ float pinch_part(const Work& work, const SurfaceTexel& texel, float much) {
 
 void pinch(const Work& work) {
     const Relief relief(work, (1.0f + kPinch) * work.place.radius);
-    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
-        const float part = pinch_part(work, texel, 1.0f);
-        if (part == 0.0f || work.is_back(texel)) continue;
-        const glm::vec3 out = along_surface(texel.position - work.place.centre.position, texel.normal);
-        const float step = carried(relief, base_of(work, texel), part * out, texel, work.value(texel));
-        work.change_to(texel, work.change(texel) + step);
-    }
+    const std::vector<SurfaceTexel> texels = work.texels(work.place.radius);
+    in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
+        const SurfaceTexel& texel = texels[i];
+        const float inwards = pinch_part(part, texel, 1.0f);
+        if (inwards == 0.0f || part.is_back(texel)) return;
+        const glm::vec3 out = along_surface(texel.position - part.place.centre.position, texel.normal);
+        const float step = carried(relief, base_of(part, texel), inwards * out, texel, part.value(texel));
+        part.change_to(texel, part.change(texel) + step);
+    });
 }
 
 void crease(const Work& work) {
@@ -46,15 +48,17 @@ void crease(const Work& work) {
     const float depth =
         work.counts(double{kDrawRise} * double{work.place.radius} * double{work.brush.spacing}) *
         -work.sign();
-    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
-        const float weight = work.weight(texel), falloff = work.falloff(texel);
-        if (weight == 0.0f || work.is_back(texel)) continue;
-        const glm::vec3 out = along_surface(texel.position - work.place.centre.position, texel.normal);
+    const std::vector<SurfaceTexel> texels = work.texels(work.place.radius);
+    in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
+        const SurfaceTexel& texel = texels[i];
+        const float weight = part.weight(texel), falloff = part.falloff(texel);
+        if (weight == 0.0f || part.is_back(texel)) return;
+        const glm::vec3 out = along_surface(texel.position - part.place.centre.position, texel.normal);
         // Either way the banks come in.
-        const float part = std::abs(pinch_part(work, texel, kPinchPart));
-        const float step = carried(relief, base_of(work, texel), part * out, texel, work.value(texel));
-        work.change_to(texel, work.change(texel) + step + depth * weight * falloff * falloff);
-    }
+        const float inwards = std::abs(pinch_part(part, texel, kPinchPart));
+        const float step = carried(relief, base_of(part, texel), inwards * out, texel, part.value(texel));
+        part.change_to(texel, part.change(texel) + step + depth * weight * falloff * falloff);
+    });
 }
 
 void smear(const Work& work) {
@@ -62,13 +66,15 @@ void smear(const Work& work) {
     const float way = glm::length(motion);
     if (!(way > 0.0f)) return;
     const Relief relief(work, work.place.radius + way);
-    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
-        const float weight = work.weight(texel);
-        if (weight == 0.0f || work.is_back(texel)) continue;
+    const std::vector<SurfaceTexel> texels = work.texels(work.place.radius);
+    in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
+        const SurfaceTexel& texel = texels[i];
+        const float weight = part.weight(texel);
+        if (weight == 0.0f || part.is_back(texel)) return;
         const glm::vec3 back = -weight * along_surface(motion, texel.normal);
-        const float step = carried(relief, base_of(work, texel), back, texel, work.value(texel));
-        work.change_to(texel, work.change(texel) + step);
-    }
+        const float step = carried(relief, base_of(part, texel), back, texel, part.value(texel));
+        part.change_to(texel, part.change(texel) + step);
+    });
 }
 
 // What the hand holds: the footprint and its relief as they were when it took hold. The surface stays a
@@ -126,17 +132,18 @@ void grab(const Work& work) {
         hold = std::make_shared<Hold>(work, centre, hold->last_drag);
     }
     const glm::vec3 drag = work.place.drag - hold->drag;
-    for (const Hold::Texel& held : hold->texels) {
+    in_blocks(work, hold->texels.size(), [&](const Work& part, std::size_t i) {
+        const Hold::Texel& held = hold->texels[i];
         const glm::vec3 tangent = along_surface(drag, held.texel.normal);
-        const float weight = followed(work, *hold, held.texel, tangent);
+        const float weight = followed(part, *hold, held.texel, tangent);
         float to = held.change;
         if (weight > 0.0f) {
-            const float lift = work.counts(double{weight} * double{glm::dot(drag, held.texel.normal)});
+            const float lift = part.counts(double{weight} * double{glm::dot(drag, held.texel.normal)});
             to += lift + carried(hold->relief, held.base, -weight * tangent, held.texel, held.value);
         }
-        if (to != work.change(held.texel))
-            work.changes.push_back({held.texel.x, held.texel.y, held.change, to});
-    }
+        if (to != part.change(held.texel))
+            part.changes.push_back({held.texel.x, held.texel.y, held.change, to});
+    });
     hold->last_drag = work.place.drag;
     hold->spent = glm::length(drag) >= kNewHold * work.place.radius;
 }

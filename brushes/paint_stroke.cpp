@@ -8,6 +8,7 @@
 
 #include "brushes/dab_work.h"
 #include "brushes/pressed_image.h"
+#include "brushes/shared_work.h"
 
 namespace relievo {
 
@@ -26,9 +27,10 @@ PaintStroke::PaintStroke(const Brush& brush, const Alpha* alpha, ColourMap& map,
 // Sorted by (y, x), each texel once.
 std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> places, float pressure,
                                                       const HeightMap* mask) const {
-    std::vector<Weight> all;
-    std::vector<SurfaceTexel> texels;
-    for (const Place& place : places) {
+    std::vector<std::vector<Weight>> of_places(places.size());
+    share_work(places.size(), [&](std::size_t i) {
+        const Place& place = places[i];
+        std::vector<SurfaceTexel> texels;
         place.surface.texels_in_ball(place.centre.position, place.radius, texels);
         std::optional<PressedImage> image;
         if (alpha_)
@@ -39,10 +41,12 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
             const float free = mask ? 1.0f - static_cast<float>(mask->at(t.x, t.y)) / kTop : 1.0f;
             const float shown = image ? std::clamp(image->at(t), 0.0f, 1.0f) : 1.0f;
             const float weight = brush_.strength * pressure * falloff * free * shown;
-            if (weight > 0.0f) all.push_back({t.x, t.y, weight});
+            if (weight > 0.0f) of_places[i].push_back({t.x, t.y, weight});
         }
-    }
-    if (places.size() == 1) return all;
+    });
+    if (places.size() == 1) return std::move(of_places.front());
+    std::vector<Weight> all;
+    for (const std::vector<Weight>& own : of_places) all.insert(all.end(), own.begin(), own.end());
     std::sort(all.begin(), all.end(), [](const Weight& a, const Weight& b) {
         return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : a.of_way > b.of_way;
     });
@@ -52,17 +56,16 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
 }
 
 void PaintStroke::smooth_planes(std::span<const Place> places, float pressure, const HeightMap* mask) {
-    std::shared_ptr<Hold> nothing_held;
     for (auto& plane : planes_) {
-        std::vector<TexelChange> changes;
-        for (const Place& place : places) {
+        std::vector<std::vector<TexelChange>> wanted(places.size());
+        share_work(places.size(), [&](std::size_t i) {
+            const Place& place = places[i];
+            std::shared_ptr<Hold> nothing_held;
             const DabPlace at{place.centre, pressure, place.radius, glm::vec3(0),
                               glm::vec3(0), 1.0f,     nothing_held};
-            std::vector<TexelChange> own;
-            smooth({brush_, at, place.surface, seams_, *plane, mask, 1.0, own});
-            changes.insert(changes.end(), own.begin(), own.end());
-        }
-        apply_together(std::move(changes), false, *plane);
+            smooth({brush_, at, place.surface, seams_, *plane, mask, 1.0, wanted[i]});
+        });
+        apply_together(wanted, false, *plane);
         seams_.follow(*plane);
     }
 }

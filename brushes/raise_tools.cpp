@@ -14,11 +14,11 @@ void raise(const Work& work, Part part_of) {
     const Brush& brush = work.brush;
     const double passes = brush.accumulate ? double{brush.spacing} : 1.0;
     const float counts = work.counts(double{kDrawRise} * double{work.place.radius} * passes) * work.sign();
-    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
-        const float weight = work.weight(texel);
-        if (weight == 0.0f) continue;
-        work.raise(texel, counts * weight * part_of(texel));
-    }
+    const std::vector<SurfaceTexel> texels = work.texels(work.place.radius);
+    in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
+        const float weight = part.weight(texels[i]);
+        if (weight != 0.0f) part.raise(texels[i], counts * weight * part_of(texels[i]));
+    });
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "brushes/mask_blur.h"
 #include "brushes/paint_stroke.h"
 #include "brushes/seams.h"
+#include "brushes/shared_work.h"
 #include "brushes/stroke_tiles.h"
 #include "brushes/symmetry.h"
 #include "brushes/undo_stack.h"
@@ -200,8 +201,8 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
     const bool add_up = adds_up(brush);
     const std::vector<float> share =
         add_up ? shares(places, double{radius}) : std::vector<float>(branches.size(), 1.0f);
-    std::vector<TexelChange> changes;
-    for (std::size_t i = 0; i < branches.size(); ++i) {
+    std::vector<std::vector<TexelChange>> wanted(branches.size());  // each reads the stroke as the last dab left it
+    share_work(branches.size(), [&](std::size_t i) {
         Branch& branch = branches[i];
         glm::vec3 motion = branch.last_place ? centres[i].position - *branch.last_place : glm::vec3(0);
         if (!(glm::length(motion) < kJump * brush.radius)) motion = glm::vec3(0);
@@ -211,11 +212,9 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
         place.alpha = alpha.get();
         const SurfacePoint source = sources.empty() ? SurfacePoint() : seen(branch, sources[i]);
         if (!sources.empty()) place.source = &source;
-        const std::vector<TexelChange> own =
-            dab_changes(brush, place, surface_of(branch), seams, *stroke, protection());
-        changes.insert(changes.end(), own.begin(), own.end());
-    }
-    apply_together(std::move(changes), add_up, *stroke);
+        wanted[i] = dab_changes(brush, place, surface_of(branch), seams, *stroke, protection());
+    });
+    apply_together(wanted, add_up, *stroke);
     seams.follow(*stroke);
 }
 

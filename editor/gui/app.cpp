@@ -71,17 +71,13 @@ Departure App::run() {
     while (!desk_.departure) {
         wait_for_input();
         timed(times_.input_ms, [&] { handle_input(); });
-        if (window_->close_wanted()) {
+        if (window_->close_wanted() && !pointer_.stroke_ends()) {
             window_->refuse_close();
             pointer_.cancel();
             desk_.leave({});
         }
         if (desk_.view.hint && pointer_.dabs() > 0 && !pointer_.in_stroke()) end_hint();
-        if (const std::string path = window_->take_dropped(); !path.empty()) {
-            pointer_.cancel();
-            desk_.open_file(path);
-            frames_due_ = kSettleFrames;
-        }
+        if (!pointer_.stroke_ends()) take_dropped();
         timed(times_.trace_ms, [&] { live_.work(std::max(kLeastTraceMs, kTurnMs - times_.input_ms)); });
         note_traced();
         timed(times_.cursor_ms, [&] { follow_pointer(); });
@@ -100,6 +96,14 @@ Departure App::run() {
             [&](Preferences& p) { p.side_width = static_cast<double>(desk_.view.side_width); });
     });
     return *desk_.departure;
+}
+
+void App::take_dropped() {
+    const std::string path = window_->take_dropped();
+    if (path.empty()) return;
+    pointer_.cancel();
+    desk_.open_file(path);
+    frames_due_ = kSettleFrames;
 }
 
 void App::draw() {
@@ -130,7 +134,7 @@ void App::note_traced() {
 }
 
 void App::wait_for_input() {
-    const bool busy = !live_.idle() || pointer_stale_ || !window_->events().empty() || frames_due_ > 0 ||
+    const bool busy = !live_.idle() || pointer_.busy() || pointer_stale_ || !window_->events().empty() || frames_due_ > 0 ||
                       desk_.view.wanted != Dialog::none;
     if (busy) {
         window_->poll();
@@ -153,16 +157,15 @@ bool App::picture_free_at(double x, double y) const {
     return picture_free() && !desk_.why.holds(x, y);
 }
 
-// Moves that wait because the hand is ahead of the dabs are not worth doing where Esc follows them.
+// What waits because the hand is ahead of the dabs is not worth doing where Esc follows it.
 void App::skip_to_escape() {
+    using Kind = InputEvent::Kind;
     auto& events = window_->events();
-    const auto is_escape = [](const InputEvent& e) {
-        return e.kind == InputEvent::Kind::key && e.code == GLFW_KEY_ESCAPE;
-    };
-    const auto end = std::find_if(events.begin(), events.end(), [&](const InputEvent& e) {
-        return e.kind == InputEvent::Kind::release || is_escape(e);
-    });
-    if (end != events.end() && is_escape(*end)) events.erase(events.begin(), end);
+    const auto end = std::find_if(events.begin(), events.end(),
+                                  [](const InputEvent& e) { return e.kind == Kind::press || e.kind == Kind::key; });
+    if (end == events.end() || end->kind != Kind::key || end->code != GLFW_KEY_ESCAPE) return;
+    pointer_.cancel();
+    events.erase(events.begin(), end + 1);
 }
 
 void App::handle_input() {
@@ -171,7 +174,11 @@ void App::handle_input() {
     if (pointer_.in_stroke()) skip_to_escape();
     const bool late =
         !events.empty() && window_->now_us() - static_cast<double>(events.front().time_us) > kLateUs;
-    while (!events.empty() && ms_since(start) < (late ? kLateInputMs : kInputMs)) {
+    const auto end = start + std::chrono::duration_cast<Clock::duration>(
+                                 std::chrono::duration<double, std::milli>(late ? kLateInputMs : kInputMs));
+    pointer_.allow_until(end);
+    pointer_.work();
+    while (!events.empty() && !pointer_.busy() && Clock::now() < end) {
         const InputEvent event = events.front();
         events.pop_front();
         if (event.kind == InputEvent::Kind::key) {
@@ -185,7 +192,8 @@ void App::handle_input() {
         y_ = event.y;
         pointer_stale_ = true;
     }
-    if (events.empty() && pointer_.in_stroke()) pointer_.rest(static_cast<std::uint64_t>(window_->now_us()));
+    if (events.empty() && pointer_.in_stroke() && !pointer_.busy())
+        pointer_.rest(static_cast<std::uint64_t>(window_->now_us()));
     pointer_.apply_moves();
 }
 

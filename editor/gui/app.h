@@ -30,6 +30,7 @@ class App {
     void note_traced();
     void end_hint();
     void skip_to_escape();
+    void take_dropped();
     void handle_input();
     void handle_key(const InputEvent& event);
     bool picture_free() const;

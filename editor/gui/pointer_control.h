@@ -2,6 +2,8 @@
 // decides at the press, and keeps to it until the release.
 #pragma once
 
+#include <chrono>
+
 #include "editor/gui/desk.h"
 #include "editor/gui/layout.h"
 #include "editor/gui/stroke_control.h"
@@ -20,6 +22,11 @@ class PointerControl {
     void rest(std::uint64_t time_us) { stroke_.rest(time_us); }  // no event came until then
 
     bool in_stroke() const { return stroke_.active(); }
+    // Of the stroke (StrokeControl): while it is busy, events wait.
+    bool busy() const { return stroke_.busy(); }
+    bool stroke_ends() const { return stroke_.ending(); }
+    void allow_until(std::chrono::steady_clock::time_point time) { stroke_.allow_until(time); }
+    void work() { stroke_.work(); }
     std::uint64_t dabs() const { return stroke_.dabs(); }
     bool dragging() const { return stroke_.active() || divider_ || drag_ != CameraDrag::none; }
     bool drags_divider() const { return divider_; }

@@ -3,10 +3,41 @@
 
 #include <GLFW/glfw3.h>
 
+#include <stdexcept>
+#include <string>
+
+#include "brushes/dab_cost.h"
+
 namespace relievo::gui {
+namespace {
+
+// Texels that draw would visit at every dab: about two seconds on two cores, in which the window stands
+// still. Whole maps of 4096 x 4096 are allowed, with the tools that draw.
+constexpr double kMostWork = 20e6;
+
+// A stroke that starts beside the object is judged by the first face.
+void refuse_heavy(const Session& session, const Brush& brush, const PickHit& hit) {
+    const Surface& surface = session.surface();
+    if (surface.face_count() == 0) return;
+    constexpr float kThird = 1.0f / 3.0f;
+    const bool on_it = hit.hit && hit.object == 0;
+    const SurfacePoint centre =
+        on_it ? surface.at(hit.face, static_cast<float>(hit.b1), static_cast<float>(hit.b2))
+              : surface.at(0, kThird, kThird);
+    const DabCost cost = dab_cost(brush, centre, surface);
+    if (!(cost.work > kMostWork)) return;
+    const std::string texels = std::to_string(cost.texels / 1000) + " thousand texels";
+    throw std::invalid_argument("Every dab would take seconds: the brush reaches " + texels +
+                                (cost.copies > 1 ? " in each of " + std::to_string(cost.copies) +
+                                                       " copies. Make it smaller, or use fewer copies"
+                                                 : ". Make it smaller"));
+}
+
+}  // namespace
 
 PointerEvent StrokeControl::pointer(const InputEvent& event) const {
-    return {event.time_us, live_->to_renderer_x(event.x), live_->to_renderer_y(event.y), event.touch.pressure};
+    return {event.time_us, live_->to_renderer_x(event.x), live_->to_renderer_y(event.y),
+            event.touch.pressure};
 }
 
 Brush StrokeControl::brush_for(const InputEvent& event) const {
@@ -25,12 +56,12 @@ void StrokeControl::begin(const InputEvent& event) {
     StrokeSettings settings = session.stroke_settings();
     settings.seed = ++strokes_;
     check_stroke_settings(settings);
-    if (settings.unit != RadiusUnit::world) {
-        const PointerEvent at = pointer(event);
-        const Ray ray = session.renderer().camera_ray(at.x_px, at.y_px);
-        const Ray beside = session.renderer().camera_ray(at.x_px + 1, at.y_px);
-        brush.radius = session.world_radius(session.renderer().pick(std::span(&ray, 1)).front(), ray, beside);
-    }
+    const PointerEvent at = pointer(event);
+    const Ray ray = session.renderer().camera_ray(at.x_px, at.y_px);
+    const PickHit hit = session.renderer().pick(std::span(&ray, 1)).front();
+    if (settings.unit != RadiusUnit::world)
+        brush.radius = session.world_radius(hit, ray, session.renderer().camera_ray(at.x_px + 1, at.y_px));
+    refuse_heavy(session, brush, hit);
     session.brush() = brush;
     try {
         session.begin_stroke();
@@ -48,8 +79,8 @@ void StrokeControl::begin(const InputEvent& event) {
             ++dabs_;
             live.after_dab();
         },
-        settings);
-    input_->begin(pointer(event));
+        settings, [this] { return std::chrono::steady_clock::now() < allowed_until_; });
+    input_->begin(at);
 }
 
 void StrokeControl::move(const InputEvent& event) {
@@ -62,7 +93,20 @@ void StrokeControl::rest(std::uint64_t time_us) {
 
 void StrokeControl::end(const InputEvent& event) {
     if (!input_) return;
+    ending_ = true;
     input_->end(pointer(event));
+    finish();
+}
+
+void StrokeControl::work() {
+    if (!busy()) return;
+    input_->work();
+    finish();
+}
+
+void StrokeControl::finish() {
+    if (!ending_ || busy()) return;
+    ending_ = false;
     input_.reset();
     const bool changed = session_->last_dab().has_value();
     session_->end_stroke();
@@ -71,6 +115,7 @@ void StrokeControl::end(const InputEvent& event) {
 
 void StrokeControl::cancel() {
     if (!input_) return;
+    ending_ = false;
     input_.reset();
     const bool changed = session_->last_dab().has_value();
     session_->cancel_stroke();

@@ -51,7 +51,7 @@ Dab quantised_dab(const PickHit& hit, std::uint64_t time_us, double pressure) {
 constexpr double kTrail = 0.5, kFirstWay = 0.25;
 
 StrokeInput::StrokeInput(const Brush& brush, Pick pick, CameraRay camera_ray, Apply apply,
-                         const StrokeSettings& settings)
+                         const StrokeSettings& settings, GoOn go_on)
     : radius_(static_cast<double>(brush.radius)),
       spacing_(radius_ *
                static_cast<double>(brush.tool == Tool::stamp ? brush.stamp_spacing : brush.spacing)),
@@ -61,7 +61,8 @@ StrokeInput::StrokeInput(const Brush& brush, Pick pick, CameraRay camera_ray, Ap
       settings_(settings),
       grabs_(brush.tool == Tool::grab),
       stamps_(brush.tool == Tool::stamp),
-      trail_(kTrail * radius_) {
+      trail_(kTrail * radius_),
+      go_on_(std::move(go_on)) {
     check_stroke_settings(settings);
 }
 
@@ -75,6 +76,11 @@ void StrokeInput::begin(const PointerEvent& event) {
     last_ = pick_along({event}).front();
     held_.reset();
     waiting_.reset();
+    busy_ = ends_ = false;
+    placed_.clear();
+    next_ = 0;
+    rested_until_us_ = 0;
+    arrival_.reset();
     trail_.start(glm::dvec3(0));
     if (!last_->hit.hit) return;
     if (grabs_) held_ = last_;
@@ -84,28 +90,84 @@ void StrokeInput::begin(const PointerEvent& event) {
 }
 
 void StrokeInput::move(const PointerEvent& event) {
-    // Waiting for a whole step spares a pick for every count of a fast mouse. It depends on the events alone.
     if (grabs_) return draw_held(event, false);
-    rest(event.time_us);
-    const PointerEvent at = pulled(event);
-    if (last_ && distance_px(last_->at, at) >= kStepPx)
-        stretch_to(at);
-    else if (last_ && settings_.rate > 0)
-        last_->at.pressure = at.pressure;
+    rested_until_us_ = event.time_us;
+    arrival_ = {pulled(event), false};
+    work();
 }
 
 void StrokeInput::rest(std::uint64_t time_us) {
-    if (!last_ || grabs_ || !(settings_.rate > 0)) return;
-    const double period_us = 1e6 / static_cast<double>(settings_.rate);
-    for (;; ++timed_dabs_) {
-        const auto due = static_cast<std::uint64_t>(static_cast<double>(timed_dabs_) * period_us);
-        if (start_us_ + due > time_us) return;
-        // Afresh, for the dabs before may have moved the surface.
-        if (waiting_) place({{*std::exchange(waiting_, std::nullopt), trail_.direction()}});
-        PointerEvent at = last_->at;
-        at.time_us = start_us_ + due;
-        place({{at, trail_.direction()}});
+    rested_until_us_ = time_us;
+    work();
+}
+
+void StrokeInput::end(const PointerEvent& event) {
+    if (grabs_) {
+        draw_held(event, true);
+        ends_ = true;
+    } else {
+        rested_until_us_ = event.time_us;
+        arrival_ = {pulled(event), true};
     }
+    work();
+}
+
+void StrokeInput::work() {
+    busy_ = true;
+    for (bool first = true; busy_;) {
+        if (next_ == placed_.size()) {
+            placed_.clear();
+            next_ = 0;
+            busy_ = work_on();
+        } else {
+            if (!first && go_on_ && !go_on_()) return;
+            const Placed& placed = placed_[next_++];
+            emit(placed.sample, placed.direction);
+            first = false;
+        }
+    }
+    if (!std::exchange(ends_, false)) return;
+    last_.reset();
+    held_.reset();
+}
+
+// One step towards the next dabs; false when there are none to come.
+bool StrokeInput::work_on() {
+    if (place_timed()) return true;
+    if (arrival_) {
+        arrive(*std::exchange(arrival_, std::nullopt));
+        return true;
+    }
+    if (!ends_ || !waiting_) return false;
+    place({{*std::exchange(waiting_, std::nullopt), trail_.direction()}});
+    return true;
+}
+
+// The next dab of an airbrush that is due by now: one by one, for the dabs before may have moved the surface.
+bool StrokeInput::place_timed() {
+    if (!last_ || grabs_ || !(settings_.rate > 0)) return false;
+    const double period_us = 1e6 / static_cast<double>(settings_.rate);
+    const auto due = static_cast<std::uint64_t>(static_cast<double>(timed_dabs_) * period_us);
+    if (start_us_ + due > rested_until_us_) return false;
+    if (waiting_) {
+        place({{*std::exchange(waiting_, std::nullopt), trail_.direction()}});
+        return true;
+    }
+    ++timed_dabs_;
+    PointerEvent at = last_->at;
+    at.time_us = start_us_ + due;
+    place({{at, trail_.direction()}});
+    return true;
+}
+
+void StrokeInput::arrive(const Arrival& arrival) {
+    // Waiting for a whole step spares a pick for every count of a fast mouse. It depends on the events alone.
+    const double way = last_ ? distance_px(last_->at, arrival.at) : 0.0;
+    if (last_ && (arrival.last ? way > 0 : way >= kStepPx))
+        stretch_to(arrival.at);
+    else if (last_ && settings_.rate > 0 && !arrival.last)
+        last_->at.pressure = arrival.at.pressure;
+    ends_ = arrival.last;
 }
 
 // Where the brush comes to when the pointer goes to `event`: no nearer than the string is long.
@@ -208,19 +270,6 @@ void StrokeInput::draw_held(const PointerEvent& event, bool last) {
     emit(sample, glm::dvec3(0));
 }
 
-void StrokeInput::end(const PointerEvent& event) {
-    if (grabs_) {
-        draw_held(event, true);
-    } else {
-        rest(event.time_us);
-        const PointerEvent at = pulled(event);
-        if (last_ && distance_px(last_->at, at) > 0) stretch_to(at);
-        if (waiting_) place({{*std::exchange(waiting_, std::nullopt), trail_.direction()}});
-    }
-    last_.reset();
-    held_.reset();
-}
-
 std::vector<StrokeInput::Sample> StrokeInput::pick_along(const std::vector<PointerEvent>& points) const {
     std::vector<Ray> rays;
     for (const PointerEvent& point : points) rays.push_back(camera_ray_(point.x_px, point.y_px));
@@ -297,7 +346,7 @@ void StrokeInput::place(const std::vector<Due>& dabs) {
     for (const Due& due : dabs) points.push_back(due.at);
     const std::vector<Sample> samples = pick_along(points);
     for (std::size_t i = 0; i < samples.size(); ++i)
-        if (samples[i].hit.hit) emit(samples[i], dabs[i].direction);
+        if (samples[i].hit.hit) placed_.push_back({samples[i], dabs[i].direction});
 }
 
 }  // namespace relievo

@@ -7,6 +7,9 @@
 // The grab tool does not walk: its dabs stay where the hand took hold, and carry how far the pointer has
 // drawn it in the plane across the view.
 //
+// Work may be cut short: a brush that is heavy for the machine makes one event's dabs take seconds, and a window
+// must not wait for them. What is left over goes on later, to the same dabs.
+//
 // The dabs of a stamp carry where the image's right is to lie: along the picture's right, or along the
 // stroke. In the latter case the first dab of a stroke, or of a part of it behind a gap, waits until there is
 // a direction, or the end.
@@ -37,12 +40,17 @@ class StrokeInput {
     using Pick = std::function<std::vector<PickHit>(std::span<const Ray>)>;  // one hit a ray, in order
     using CameraRay = std::function<Ray(double x_px, double y_px)>;
     using Apply = std::function<void(const Dab&)>;  // changes the surface before it returns
+    using GoOn = std::function<bool()>;  // whether one more dab may be made before the call returns
 
     // The brush's radius and spacing are those of the whole stroke. Only hits on object 0 are sculpted.
     // std::invalid_argument when one of the `settings` is out of its range; their radius is not read, the
-    // brush's is (Session::world_radius).
+    // brush's is (Session::world_radius). `go_on` empty: always; a call makes at least one dab that is due.
     StrokeInput(const Brush& brush, Pick pick, CameraRay camera_ray, Apply apply,
-                const StrokeSettings& settings = {});
+                const StrokeSettings& settings = {}, GoOn go_on = {});
+
+    // An event's dabs are not all made: only work() and begin() may be called.
+    bool busy() const { return busy_; }
+    void work();  // goes on with them
 
     void begin(const PointerEvent& event);  // the first dab, when it hits
     void move(const PointerEvent& event);
@@ -61,8 +69,19 @@ class StrokeInput {
         PointerEvent at;
         glm::dvec3 direction;  // of the stroke there; zero: it has none
     };
+    struct Placed {
+        Sample sample;
+        glm::dvec3 direction;
+    };
+    struct Arrival {
+        PointerEvent at;  // of the brush, not the pointer
+        bool last;
+    };
 
     std::vector<Sample> pick_along(const std::vector<PointerEvent>& points) const;
+    bool work_on();
+    bool place_timed();
+    void arrive(const Arrival& arrival);
     void stretch_to(const PointerEvent& to);
     void walk(const Sample& next, std::vector<Due>& dabs);
     void start_part(const Sample& first, std::vector<Due>& dabs);
@@ -92,6 +111,13 @@ class StrokeInput {
     glm::dvec3 drag_{0}, sent_drag_{0};  // of grab, world units: now, and at its last dab
     std::optional<Sample> last_;         // the newest point of the path; its hit may be a miss
     double since_dab_ = 0;               // arc length, world units
+    GoOn go_on_;
+    bool busy_ = false;
+    std::vector<Placed> placed_;  // dabs to make, from `next_` on
+    std::size_t next_ = 0;
+    std::uint64_t rested_until_us_ = 0;
+    std::optional<Arrival> arrival_;  // of the last event, behind the dabs of an airbrush until then
+    bool ends_ = false;               // when all is made
 };
 
 // Rounds to the journal's units. Barycentrics outside the triangle (by rounding) are brought in.

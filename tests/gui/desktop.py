@@ -78,7 +78,7 @@ class Desktop:
             before, last[0] = last[0], now
             pixels = now.box(*box)
             lit = sum(value > 120 for value in pixels) > len(pixels) / 50
-            return lit and difference(before, now, box) < 0.05 and now
+            return lit and difference(before, now, box) < 0.15 and now
 
         return wait_for("the picture to come to rest", is_still)
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
+#include <tuple>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -25,10 +27,12 @@ class Sheet {
     std::vector<Dab> dabs;
     std::size_t picks = 0;
 
-    StrokeInput input(float radius, float spacing) {
+    StrokeInput input(float radius, float spacing, const StrokeSettings& settings = {},
+                      StrokeInput::GoOn go_on = {}, Tool tool = Tool::draw) {
         Brush brush;
+        brush.tool = tool;
         brush.radius = radius;
-        brush.spacing = spacing;
+        brush.spacing = brush.stamp_spacing = spacing;
         return StrokeInput(
             brush, [this](std::span<const Ray> rays) { return pick(rays); },
             [](double x, double y) {
@@ -37,7 +41,7 @@ class Sheet {
                                        static_cast<float>(y) / kPixelsPerUnit, 0);
                 return Ray{target + glm::vec3(0, 0, 10), {target.x * 0.01f, target.y * 0.01f, -1}};
             },
-            [this](const Dab& dab) { dabs.push_back(dab); });
+            [this](const Dab& dab) { dabs.push_back(dab); }, settings, std::move(go_on));
     }
 
     static glm::dvec2 place(const Dab& dab) {
@@ -105,6 +109,59 @@ TEST(StrokeInput, FiveAndSixtyFramesASecondGiveTheSameDabs) {
         EXPECT_GT(slow.size(), 50u);
         EXPECT_EQ(slow, fast) << seed;
     }
+}
+
+// One dab a call, as in a window whose every dab takes longer than its turn.
+TEST(StrokeInput, WorkThatIsCutShortGoesOnToTheSameDabs) {
+    StrokeSettings airbrush, trail;
+    airbrush.rate = 200;
+    airbrush.lazy_px = 5;
+    trail.along_stroke = true;
+    trail.jitter = 0.3f;
+    StrokeSettings both = trail;
+    both.rate = 200;
+    const std::tuple<Tool, StrokeSettings> kinds[] = {{Tool::draw, {}},
+                                                      {Tool::draw, airbrush},
+                                                      {Tool::stamp, trail},
+                                                      {Tool::stamp, both},
+                                                      {Tool::grab, {}}};
+    for (const auto& [tool, settings] : kinds)
+        for (unsigned seed = 0; seed < 10; ++seed) {
+            auto events = wild_path(seed, 60);
+            for (PointerEvent& event : events) event.time_us *= 4;
+            std::vector<Dab> expected;
+            for (const bool cut_short : {false, true}) {
+                Sheet sheet;
+                sheet.height = [](float x, float y, std::size_t dabs) {
+                    return 0.2f * std::sin(3 * x) * std::cos(2 * y) + 0.01f * static_cast<float>(dabs);
+                };
+                sheet.exists = [](float x, float) { return x < 2 || x > 2.5f; };
+                StrokeInput input = sheet.input(
+                    0.2f, 0.02f, settings, [&] { return !cut_short; }, tool);
+                std::size_t waits = 0, before = 0;
+                const auto finish = [&] {
+                    for (; input.busy(); ++waits, before = sheet.dabs.size()) {
+                        EXPECT_LE(sheet.dabs.size(), before + 1);
+                        input.work();
+                    }
+                    before = sheet.dabs.size();
+                };
+                for (std::size_t i = 0; i < events.size(); ++i) {
+                    if (i == 0)
+                        input.begin(events[i]);
+                    else if (i + 1 == events.size())
+                        input.end(events[i]);
+                    else if (i % 5 == 0)
+                        input.rest(events[i].time_us);
+                    else
+                        input.move(events[i]);
+                    finish();
+                }
+                if (!cut_short) expected = sheet.dabs;
+                EXPECT_EQ(sheet.dabs, expected) << seed;
+                EXPECT_EQ(waits > 0, cut_short && tool != Tool::grab) << seed;
+            }
+        }
 }
 
 TEST(StrokeInput, DabsAreSpacedByArcLengthAtAnyMouseSpeed) {

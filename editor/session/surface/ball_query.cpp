@@ -106,7 +106,8 @@ class BallQuery {
         const NearFace near{face, x0, y0, gradient(triangle, p, origin), gradient(triangle, n, origin)};
         const auto slot = static_cast<std::uint32_t>(faces_.size());
         const std::size_t runs_before = runs_.size();
-        const TexelSpan rows = clipped(triangle.rows(), s_.grid_.height, s_.grid_.wrap);
+        const TexelSpan rows =
+            rows_in_reach(near, clipped(triangle.rows(), s_.grid_.height, s_.grid_.wrap));
         for (std::int64_t y = rows.first; y <= rows.last; ++y) {
             const std::optional<TexelSpan> reached = columns_in_reach(near, y);
             if (!reached) continue;
@@ -117,19 +118,50 @@ class BallQuery {
         if (runs_.size() > runs_before) faces_.push_back(near);
     }
 
-    // The columns of a row whose base point is near enough, seen along the cone's axis.
-    std::optional<TexelSpan> columns_in_reach(const NearFace& near, std::int64_t y) const {
+    // A row of a face's footprint: its base points from the ball's centre on, along the row; seen along the
+    // face's cone, which normals lean from by at most its spread, where it has an axis.
+    struct RowLine {
+        glm::dvec3 start, step;
+        double reach;  // of the ball about such a base point: beyond, displacement cannot bring it in
+    };
+    RowLine row_line(const NearFace& near, std::int64_t y) const {
         const MeshSurface::NormalCone& cone = s_.cones_[near.face];
         const glm::dvec3 axis(cone.axis);
-        glm::dvec3 start = near.position.at(0, static_cast<double>(y - near.y0)) - glm::dvec3(centre_);
-        glm::dvec3 step = near.position.dx;
-        const double scale = glm::length(start);
+        RowLine line{near.position.at(0, static_cast<double>(y - near.y0)) - glm::dvec3(centre_),
+                     near.position.dx, 0};
+        line.reach = static_cast<double>(radius_) + reach_ * static_cast<double>(cone.spread) +
+                     1e-5 * (reach_ + glm::length(line.start));
         if (cone.cosine > 0) {
-            start -= axis * glm::dot(axis, start);
-            step -= axis * glm::dot(axis, step);
+            line.start -= axis * glm::dot(axis, line.start);
+            line.step -= axis * glm::dot(axis, line.step);
         }
-        const double reach = static_cast<double>(radius_) + reach_ * static_cast<double>(cone.spread) +
-                             1e-5 * (reach_ + scale);
+        return line;
+    }
+
+    // Those of `rows` that come near enough anywhere: where q(y) = min over x |start(y) + x step|^2 is at most
+    // reach^2. `start` moves linearly with y, so that q is a square function of it.
+    TexelSpan rows_in_reach(const NearFace& near, TexelSpan rows) const {
+        if (rows.last - rows.first < 4) return rows;
+        const RowLine first = row_line(near, rows.first), last = row_line(near, rows.last);
+        const glm::dvec3 s = first.start, dx = first.step,
+                         dy = (last.start - s) / static_cast<double>(rows.last - rows.first);
+        const double reach = std::max(first.reach, last.reach), a = glm::dot(dx, dx);
+        const double p = a * glm::dot(dy, dy) - glm::dot(dx, dy) * glm::dot(dx, dy),
+                     q = a * glm::dot(s, dy) - glm::dot(s, dx) * glm::dot(dx, dy),
+                     r = a * (glm::dot(s, s) - reach * reach) - glm::dot(s, dx) * glm::dot(s, dx);
+        const double root = q * q - p * r;
+        // Seen edge-on, degenerate, or too large for squares.
+        if (!(p > 1e-8 * a * glm::dot(dy, dy)) || !std::isfinite(root)) return rows;
+        const double middle = -q / p, half = std::sqrt(std::max(0.0, root)) / p;
+        const auto count = static_cast<double>(rows.last - rows.first);
+        const auto row = [&](double y) { return rows.first + static_cast<std::int64_t>(std::clamp(y, -1.0, count + 1)); };
+        return {std::max(rows.first, row(std::floor(middle - half) - 1)),
+                std::min(rows.last, row(std::ceil(middle + half) + 1))};
+    }
+
+    // The columns of a row whose base point is near enough.
+    std::optional<TexelSpan> columns_in_reach(const NearFace& near, std::int64_t y) const {
+        const auto [start, step, reach] = row_line(near, y);
         const double a = glm::dot(step, step), b = glm::dot(start, step),
                      c = glm::dot(start, start) - reach * reach;
         const double root = b * b - a * c;

@@ -1,0 +1,37 @@
+// Divides a dab's work among the processor's cores.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <future>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace relievo {
+
+inline thread_local bool shares_work = false;  // this thread does part of a shared job already
+
+// Calls work(i) once for each i in [0, count), in any order and on any thread; returns when all are done, and
+// throws what one of them threw. Within such a job, and for a single i, it is a plain loop.
+template <typename Work>
+void share_work(std::size_t count, const Work& work) {
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t helpers = shares_work ? 0 : std::min(cores, count) - (count > 0 ? 1 : 0);
+    std::atomic<std::size_t> next{0};
+    const auto do_some = [&] {
+        const bool before = std::exchange(shares_work, true);
+        struct Restore {
+            bool before;
+            ~Restore() { shares_work = before; }
+        } restore{before};
+        for (std::size_t i = next++; i < count; i = next++) work(i);
+    };
+    std::vector<std::future<void>> others;  // their destructors wait, also when this thread's part throws
+    for (std::size_t i = 0; i < helpers; ++i) others.push_back(std::async(std::launch::async, do_some));
+    do_some();
+    for (std::future<void>& other : others) other.get();
+}
+
+}  // namespace relievo

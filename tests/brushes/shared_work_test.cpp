@@ -1,0 +1,47 @@
+// Work that the cores share: each part once, whatever it throws.
+#include "brushes/shared_work.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace relievo {
+namespace {
+
+TEST(SharedWork, DoesEveryPartOnce) {
+    for (const std::size_t count : {0u, 1u, 2u, 3u, 1000u}) {
+        std::vector<std::atomic<int>> done(count);
+        share_work(count, [&](std::size_t i) { ++done[i]; });
+        for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(done[i], 1) << i << " of " << count;
+    }
+}
+
+TEST(SharedWork, WithinAPartIsAPlainLoop) {
+    std::atomic<int> elsewhere{0}, done{0};
+    share_work(8, [&](std::size_t) {
+        const auto here = std::this_thread::get_id();
+        share_work(50, [&](std::size_t) {
+            ++done;
+            if (std::this_thread::get_id() != here) ++elsewhere;
+        });
+    });
+    EXPECT_EQ(done, 400);
+    EXPECT_EQ(elsewhere, 0);
+    // And it is over with the job.
+    EXPECT_FALSE(shares_work);
+}
+
+TEST(SharedWork, ThrowsWhatAPartThrew) {
+    for (const std::size_t bad : {0u, 7u, 99u})
+        EXPECT_THROW(share_work(100, [&](std::size_t i) {
+                         if (i == bad) throw std::runtime_error("bad");
+                     }),
+                     std::runtime_error);
+    EXPECT_FALSE(shares_work);
+}
+
+}  // namespace
+}  // namespace relievo
