@@ -17,4 +17,4 @@ if [ "${1:-}" != --quick ]; then
     export UBSAN_OPTIONS=print_stacktrace=1
     ctest --preset asan --output-on-failure -LE "release_only" -j 2
 fi
-ctest --preset release --output-on-failure -j 2
+ctest --preset release --output-on-failure -LE "sanitizers_only" -j 2

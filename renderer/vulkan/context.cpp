@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "renderer/vulkan/functions.h"
+#include "renderer/vulkan/programs.h"
 
 namespace relievo::vulkan {
 namespace {
@@ -292,11 +293,13 @@ Context::Context(const ContextOptions& options) {
     }
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
     load_functions(device_);
+    programs_ = std::make_unique<Programs>();
 }
 
 Context::~Context() { release(); }
 
 void Context::release() {
+    programs_.reset();
     if (device_ != VK_NULL_HANDLE) vkDestroyDevice(device_, nullptr);
     if (messenger_ != VK_NULL_HANDLE) {
         const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(

@@ -31,6 +31,8 @@ struct ContextOptions {
 // Never throws for want of a device: an empty list is an answer.
 std::vector<DeviceInfo> list_devices();
 
+class Programs;
+
 class Context {
   public:
     // Throws std::runtime_error with one sentence that names the package to install when there is no Vulkan, no
@@ -46,6 +48,7 @@ class Context {
     VkQueue queue() const { return queue_; }
     std::uint32_t queue_family() const { return queue_family_; }
     const DeviceInfo& info() const { return info_; }
+    Programs& programs() const { return *programs_; }  // compiled for this device
 
     // Messages of the validation layers so far; 0 without validation. Tests fail on any.
     static int validation_messages();
@@ -60,6 +63,7 @@ class Context {
     VkQueue queue_ = VK_NULL_HANDLE;
     std::uint32_t queue_family_ = 0;
     DeviceInfo info_;
+    std::unique_ptr<Programs> programs_;
 };
 
 }  // namespace relievo::vulkan

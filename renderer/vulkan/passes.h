@@ -3,12 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <string_view>
-#include <vector>
 
 #include "renderer/trace_path.h"
-#include "renderer/vulkan/resources.h"
+#include "renderer/vulkan/programs.h"
 #include "shaders/shared.h"
 
 namespace relievo::vulkan {
@@ -22,11 +21,6 @@ enum class Pass {
 };
 constexpr std::size_t kPassCount = 5;
 
-// SPIR-V words of one shader: method "pdm", file "beauty.comp". Defined by the build (shader_code.cpp).
-std::span<const std::uint32_t> shader_code(std::string_view method, std::string_view file);
-
-using SpecConstants = std::array<std::uint32_t, gpu::kSpecCount>;
-
 class Passes {
   public:
     Passes() = default;
@@ -39,23 +33,15 @@ class Passes {
                 int height);
 
   private:
-    struct Program {
-        PipelineHandle pipeline;
-        Buffer table;  // shader binding table of the ray tracing pipeline
-        VkStridedDeviceAddressRegionKHR generation{}, miss{}, hit{};
-    };
-    void make_compute(Program& program, Pass pass);
-    void make_rays(Program& program, Pass pass);
+    const Program& program(Pass pass);
     SpecConstants constants_of(Pass pass) const;
-    void fill_table(Program& program);
-    ShaderHandle module(std::string_view file) const;
 
     const Context* context_ = nullptr;
     std::string_view method_;
     TracePath path_ = TracePath::ray_query;
     SpecConstants constants_{};
     PipelineLayoutHandle layout_;
-    std::array<Program, kPassCount> programs_;
+    std::array<std::shared_ptr<const Program>, kPassCount> programs_;
 };
 
 }  // namespace relievo::vulkan
