@@ -64,7 +64,8 @@ constexpr std::array kTools{
     ToolInfo{Tool::smooth, "smooth", "Evens out bumps smaller than the brush"},
     ToolInfo{Tool::flatten, "flatten", "Pulls the surface towards the plane through what the brush covers"},
     ToolInfo{Tool::level, "level", "Moves the map to a set value"},
-    ToolInfo{Tool::erase, "erase", "Takes the displacement away: moves the map to its midlevel"},
+    ToolInfo{Tool::erase, "erase",
+             "Takes the displacement away: moves the map to its midlevel, or to what was saved"},
     ToolInfo{Tool::inflate, "inflate", "Swells the relief outwards, its slopes most; inverted, shrinks it"},
     ToolInfo{Tool::clay, "clay", "Lays clay on: fills what is low first; inverted, scrapes what is high"},
     ToolInfo{Tool::crease, "crease", "Cuts a sharp groove and draws its banks in; inverted, a sharp ridge"},
@@ -80,6 +81,7 @@ constexpr std::array kTools{
 constexpr std::array<std::string_view, 4> kFalloffs{"smooth", "linear", "sharp", "constant"};
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 constexpr std::array<std::string_view, 3> kPaints{"height", "colour", "both"};
+constexpr std::array<std::string_view, 2> kErasesTo{"midlevel", "saved"};
 
 }  // namespace
 
@@ -101,6 +103,9 @@ std::span<const std::string_view> axis_names() {
 std::span<const std::string_view> paint_names() {
     return kPaints;
 }
+std::span<const std::string_view> erase_to_names() {
+    return kErasesTo;
+}
 
 void check_brush(const Brush& brush) {
     for (const BrushParameter& parameter : kParameters) {
@@ -119,6 +124,8 @@ void check_brush(const Brush& brush) {
         throw std::invalid_argument("brush radial_axis: no such axis");
     if (static_cast<std::size_t>(brush.paint) >= kPaints.size())
         throw std::invalid_argument("brush paint: no such choice");
+    if (static_cast<std::size_t>(brush.erase_to) >= kErasesTo.size())
+        throw std::invalid_argument("brush erase_to: no such choice");
     if (static_cast<std::size_t>(brush.tool) >= kTools.size())
         throw std::invalid_argument("brush tool: no such tool");
     if (static_cast<std::size_t>(brush.falloff) >= kFalloffs.size())

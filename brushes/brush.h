@@ -31,6 +31,8 @@ enum class Axis : std::uint8_t { x, y, z };
 enum class Falloff : std::uint8_t { smooth, linear, sharp, constant };
 // What a tool that raises or lowers, or smooth, changes; other tools change heights alone.
 enum class Paint : std::uint8_t { height, colour, both };
+// saved: the map as it was last saved, or, before that, loaded.
+enum class EraseTo : std::uint8_t { midlevel, saved };
 
 struct Brush {
     Tool tool = Tool::draw;
@@ -53,6 +55,7 @@ struct Brush {
     Axis radial_axis = Axis::y;  // that they go about
     Paint paint = Paint::height;
     float red = 0.8f, green = 0.3f, blue = 0.2f;  // sRGB-encoded, as the colour map holds them, [0, 1]
+    EraseTo erase_to = EraseTo::midlevel;         // of the erase tool
     bool operator==(const Brush&) const = default;
 };
 
@@ -129,6 +132,7 @@ std::span<const ToolInfo> tools();
 std::span<const std::string_view> falloff_names();  // in the order of Falloff
 std::span<const std::string_view> axis_names();     // in the order of Axis
 std::span<const std::string_view> paint_names();    // in the order of Paint
+std::span<const std::string_view> erase_to_names();  // in the order of EraseTo
 
 // Whether a stroke changes the colour map, and whether it changes anything else.
 inline bool paints(const Brush& brush) {

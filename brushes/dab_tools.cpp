@@ -40,9 +40,9 @@ void apply(const Work& work) {
         case Tool::flatten:
             return flatten(work);
         case Tool::level:
-            return move_to(work, work.brush.level * kTop);
+            return level(work);
         case Tool::erase:
-            return move_to(work, work.surface.midlevel() * kTop);
+            return erase(work);
         case Tool::inflate:
             return inflate(work);
         case Tool::clay:
@@ -62,7 +62,7 @@ void apply(const Work& work) {
         case Tool::clone:
             return clone(work);
         case Tool::mask:
-            return move_to(work, work.brush.invert ? 0.0f : kTop);
+            return paint_mask(work);
     }
 }
 

@@ -20,6 +20,7 @@
 //   level,   move a texel the fraction s * f of the way from where the stroke found it to the target; passing
 //   erase    again within the stroke adds nothing (the largest fraction counts), a second stroke goes on from
 //            there. At full strength, the middle of the brush arrives exactly.
+//            erase: to the midlevel, or to the map as it was last saved (saved_heights.h).
 //   smooth,  move a texel the fraction s * f * spacing / kUnitSpacing (at most 1) of the way to their target
 //   flatten  at each dab, and so go on while the brush stays.
 //   pinch    draws the relief in by kPinch * s * f * spacing / kUnitSpacing of its distance to the centre.
@@ -54,6 +55,7 @@ inline constexpr float kPinch = 0.15f;        // of the distance to the centre
 float falloff_weight(Falloff falloff, float hardness, float part);
 
 class Alpha;
+class SavedHeights;
 class Seams;
 struct Hold;  // what grab holds (move_tools.cpp)
 
@@ -68,6 +70,7 @@ struct DabPlace {
     glm::vec3 hand{0};            // Dab::drag over kDragOne
     const Alpha* alpha = nullptr;          // of stamp; not null there
     const SurfacePoint* source = nullptr;  // of clone; not null there
+    const SavedHeights* saved = nullptr;   // of erase to what was saved; not null there
 };
 
 // What a dab wants of one texel: changes since the stroke began, in counts, as StrokeTiles keeps them.

@@ -1,9 +1,10 @@
-// The tools that raise, lower or move to a value: draw, inflate, noise, level, erase.
+// The tools that raise, lower or move to a value: draw, inflate, noise, level, erase, mask.
 #include <cmath>
 
 #include "brushes/dab_work.h"
 #include "brushes/noise.h"
 #include "brushes/relief.h"
+#include "brushes/saved_heights.h"
 
 namespace relievo {
 namespace {
@@ -19,6 +20,16 @@ void raise(const Work& work, Part part_of) {
         const float weight = part.weight(texels[i]);
         if (weight != 0.0f) part.raise(texels[i], counts * weight * part_of(texels[i]));
     });
+}
+
+// `target_of(texel)`, in counts, is where it moves a texel to.
+template <typename Target>
+void move_to(const Work& work, Target target_of) {
+    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
+        const float before = static_cast<float>(work.stroke.before(texel.x, texel.y));
+        const float change = (target_of(texel) - before) * work.weight(texel);
+        if (std::abs(change) > std::abs(work.change(texel))) work.change_to(texel, change);
+    }
 }
 
 }  // namespace
@@ -45,12 +56,20 @@ void noise(const Work& work) {
     });
 }
 
-void move_to(const Work& work, float target) {
-    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
-        const float before = static_cast<float>(work.stroke.before(texel.x, texel.y));
-        const float change = (target - before) * work.weight(texel);
-        if (std::abs(change) > std::abs(work.change(texel))) work.change_to(texel, change);
-    }
+void level(const Work& work) {
+    move_to(work, [&](const SurfaceTexel&) { return work.brush.level * kTop; });
+}
+
+void erase(const Work& work) {
+    const SavedHeights* saved = work.brush.erase_to == EraseTo::saved ? work.place.saved : nullptr;
+    move_to(work, [&](const SurfaceTexel& texel) {
+        return saved ? static_cast<float>(saved->at(texel.x, texel.y, work.stroke))
+                     : work.surface.midlevel() * kTop;
+    });
+}
+
+void paint_mask(const Work& work) {
+    move_to(work, [&](const SurfaceTexel&) { return work.brush.invert ? 0.0f : kTop; });
 }
 
 }  // namespace relievo

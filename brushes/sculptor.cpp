@@ -13,6 +13,7 @@
 #include "brushes/dab_tools.h"
 #include "brushes/mask_blur.h"
 #include "brushes/paint_stroke.h"
+#include "brushes/saved_heights.h"
 #include "brushes/seams.h"
 #include "brushes/shared_work.h"
 #include "brushes/stroke_tiles.h"
@@ -23,7 +24,11 @@ namespace relievo {
 
 struct Sculptor::State {
     State(HeightMap& the_map, const Surface& the_surface, std::size_t budget)
-        : map(the_map), surface(the_surface), seams(surface, map.width(), map.height()), undo(budget) {}
+        : map(the_map),
+          surface(the_surface),
+          seams(surface, map.width(), map.height()),
+          undo(budget),
+          saved(map) {}
 
     void require_stroke(bool wanted, const char* what) const {
         if (stroke.has_value() == wanted) return;
@@ -84,6 +89,7 @@ struct Sculptor::State {
     const Surface& surface;
     Seams seams;
     UndoStack undo;
+    SavedHeights saved;
     std::optional<HeightMap> mask;
     std::uint64_t mask_revision = 0;
     Brush brush;
@@ -210,6 +216,7 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
         DabPlace place{centres[i], pressure, radius, motion, drag, share[i], branch.hold};
         place.hand = hand;
         place.alpha = alpha.get();
+        place.saved = &saved;
         const SurfacePoint source = sources.empty() ? SurfacePoint() : seen(branch, sources[i]);
         if (!sources.empty()) place.source = &source;
         wanted[i] = dab_changes(brush, place, surface_of(branch), seams, *stroke, protection());
@@ -220,6 +227,8 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
 
 std::vector<TexelRect> Sculptor::State::take(bool redo) {
     const LayerMaps maps = [this](Layer which) -> HeightMap& { return map_of(which); };
+    for (const auto& [which, rect] : redo ? undo.redo_rects() : undo.undo_rects())
+        if (which == Layer::height) saved.keep(rect);
     std::vector<TexelRect> heights, masks;
     for (const auto& [which, rect] : redo ? undo.redo(maps) : undo.undo(maps))
         (which == Layer::height ? heights : which == Layer::mask ? masks : painted).push_back(rect);
@@ -229,6 +238,7 @@ std::vector<TexelRect> Sculptor::State::take(bool redo) {
 }
 
 void Sculptor::State::push_step() {
+    if (layer() == Layer::height) saved.keep(*stroke);
     std::vector<LayerStroke> parts{{*stroke, map_of(layer()), layer()}};
     constexpr Layer kPlanes[] = {Layer::red, Layer::green, Layer::blue};
     for (std::size_t k = 0; paint && k < std::size(kPlanes); ++k)
@@ -353,6 +363,11 @@ const HeightMap* Sculptor::mask() const {
 }
 std::uint64_t Sculptor::mask_revision() const {
     return state_->mask_revision;
+}
+
+void Sculptor::mark_saved() {
+    state_->require_stroke(false, "mark_saved");
+    state_->saved.mark_saved();
 }
 
 bool Sculptor::can_undo() const {

@@ -68,6 +68,10 @@ class Sculptor {
     const HeightMap* mask() const;
     std::uint64_t mask_revision() const;  // changes whenever mask() does
 
+    // The height map as it is now is what erase goes back to where its brush says so; at first it is the one
+    // that the sculptor was made with. Throws std::logic_error in a stroke.
+    void mark_saved();
+
     bool can_undo() const;
     bool can_redo() const;
     std::vector<TexelRect> undo();  // the height map's; nothing to undo, or a step of mask or colour: empty

@@ -10,15 +10,18 @@ constexpr float kTop = 65535.0f;
 
 }  // namespace
 
+void copy_counts(const HeightMap& map, const TexelRect& tile, TileCounts& counts) {
+    for (int row = tile.y0; row < tile.y1; ++row)
+        std::copy_n(map.texels().begin() + static_cast<std::ptrdiff_t>(map.index(tile.x0, row)), tile.width(),
+                    counts.begin() + (row - tile.y0) * kTileSize);
+}
+
 StrokeTiles::Tile& StrokeTiles::touch(int x, int y) {
     const std::uint32_t index = grid_.tile_of(x, y);
     if (!tiles_[index]) {
         auto tile = std::make_unique<Tile>();
         tile->change.fill(0.0f);
-        const TexelRect rect = grid_.texels_of(index);
-        for (int row = rect.y0; row < rect.y1; ++row)
-            std::copy_n(map_.texels().begin() + static_cast<std::ptrdiff_t>(map_.index(rect.x0, row)),
-                        rect.width(), tile->before.begin() + (row - rect.y0) * kTileSize);
+        copy_counts(map_, grid_.texels_of(index), tile->before);
         tiles_[index] = std::move(tile);
         touched_.push_back(index);
     }
@@ -35,7 +38,7 @@ void StrokeTiles::write(Tile& tile, std::uint32_t index, int x, int y, std::uint
 
 void StrokeTiles::set_change(int x, int y, float change) {
     Tile& tile = touch(x, y);
-    const std::size_t at = local(x, y);
+    const std::size_t at = place_in_tile(x, y);
     const float before = static_cast<float>(tile.before[at]);
     if (std::isnan(change)) return;
     float held = change;
@@ -54,7 +57,7 @@ void StrokeTiles::copy(int from_x, int from_y, int to_x, int to_y) {
     const std::uint16_t count = map_.at(from_x, from_y);
     if (value(to_x, to_y) == from && map_.at(to_x, to_y) == count) return;
     Tile& tile = touch(to_x, to_y);
-    const std::size_t at = local(to_x, to_y);
+    const std::size_t at = place_in_tile(to_x, to_y);
     tile.change[at] = from - static_cast<float>(tile.before[at]);
     write(tile, grid_.tile_of(to_x, to_y), to_x, to_y, count);
 }
@@ -82,7 +85,7 @@ std::vector<TexelRect> StrokeTiles::restore() {
         const Tile& tile = *tiles_[index];
         for (int y = tile.ever_dirty.y0; y < tile.ever_dirty.y1; ++y)
             for (int x = tile.ever_dirty.x0; x < tile.ever_dirty.x1; ++x)
-                map_.set(x, y, tile.before[local(x, y)]);
+                map_.set(x, y, tile.before[place_in_tile(x, y)]);
         rects.push_back(tile.ever_dirty);
     }
     tiles_.clear();

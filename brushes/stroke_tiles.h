@@ -45,15 +45,23 @@ class TileGrid {
     int width_, height_, across_, down_;
 };
 
+// Counts of a tile, in rows of kTileSize; what lies outside the map is any number.
+inline constexpr std::size_t kTileTexels = std::size_t{kTileSize} * kTileSize;
+using TileCounts = std::array<std::uint16_t, kTileTexels>;
+inline std::size_t place_in_tile(int x, int y) {
+    return static_cast<std::size_t>(y % kTileSize) * kTileSize + static_cast<std::size_t>(x % kTileSize);
+}
+// `tile` as TileGrid::texels_of() says.
+void copy_counts(const HeightMap& map, const TexelRect& tile, TileCounts& counts);
+
 class StrokeTiles {
   public:
     struct Tile {
-        static constexpr std::size_t kTexels = std::size_t{kTileSize} * kTileSize;
-        std::array<std::uint16_t, kTexels> before;  // rows of kTileSize
-        std::array<float, kTexels> change;          // counts
-        std::bitset<kTexels> clipped;               // pushed beyond 0 or 65535
-        TexelRect dirty;                            // map texels written since take_dirty()
-        TexelRect ever_dirty;                       // since the stroke began
+        TileCounts before;
+        std::array<float, kTileTexels> change;  // counts
+        std::bitset<kTileTexels> clipped;       // pushed beyond 0 or 65535
+        TexelRect dirty;                        // map texels written since take_dirty()
+        TexelRect ever_dirty;                   // since the stroke began
     };
 
     // `step`: the map's texels are rounded to multiples of it.
@@ -66,18 +74,19 @@ class StrokeTiles {
     // Counts, unrounded, in [0, 65535].
     float value(int x, int y) const {
         const Tile* tile = tiles_[grid_.tile_of(x, y)].get();
-        return tile ? static_cast<float>(tile->before[local(x, y)]) + tile->change[local(x, y)]
-                    : static_cast<float>(map_.at(x, y));
+        return tile
+                   ? static_cast<float>(tile->before[place_in_tile(x, y)]) + tile->change[place_in_tile(x, y)]
+                   : static_cast<float>(map_.at(x, y));
     }
     // The count before the stroke.
     std::uint16_t before(int x, int y) const {
         const Tile* tile = tiles_[grid_.tile_of(x, y)].get();
-        return tile ? tile->before[local(x, y)] : map_.at(x, y);
+        return tile ? tile->before[place_in_tile(x, y)] : map_.at(x, y);
     }
     // The change since, 0 where nothing was written.
     float change(int x, int y) const {
         const Tile* tile = tiles_[grid_.tile_of(x, y)].get();
-        return tile ? tile->change[local(x, y)] : 0.0f;
+        return tile ? tile->change[place_in_tile(x, y)] : 0.0f;
     }
 
     // Sets the change of a texel, held to counts [0, 65535], and the map's rounded texel with it.
@@ -102,9 +111,6 @@ class StrokeTiles {
     std::vector<TexelRect> restore();
 
   private:
-    static std::size_t local(int x, int y) {
-        return static_cast<std::size_t>(y % kTileSize) * kTileSize + static_cast<std::size_t>(x % kTileSize);
-    }
     Tile& touch(int x, int y);
     void write(Tile& tile, std::uint32_t index, int x, int y, std::uint16_t count);
 

@@ -54,6 +54,13 @@ void UndoStack::push_step(Step step) {
     }
 }
 
+std::vector<LayerRect> UndoStack::rects_of(const std::deque<Step>& steps) {
+    std::vector<LayerRect> rects;
+    if (steps.empty()) return rects;
+    for (const Patch& patch : steps.back().patches) rects.push_back({patch.layer, patch.rect});
+    return rects;
+}
+
 std::vector<LayerRect> UndoStack::move_step(std::deque<Step>& from, std::deque<Step>& to,
                                             const LayerMaps& map_of) {
     std::vector<LayerRect> rects;

@@ -48,6 +48,10 @@ class UndoStack {
     std::vector<LayerRect> undo(const LayerMaps& map_of) { return move_step(undo_, redo_, map_of); }
     std::vector<LayerRect> redo(const LayerMaps& map_of) { return move_step(redo_, undo_, map_of); }
 
+    // What the next of them would change, in the same way.
+    std::vector<LayerRect> undo_rects() const { return rects_of(undo_); }
+    std::vector<LayerRect> redo_rects() const { return rects_of(redo_); }
+
     std::uint64_t pushed() const { return pushed_; }  // steps ever taken, dropped ones included
     std::size_t bytes() const { return bytes_; }
     std::size_t budget() const { return budget_; }
@@ -69,6 +73,7 @@ class UndoStack {
     static void add_patch(Step& step, Layer layer, const TexelRect& within, const HeightMap& map,
                           Before before);
     void push_step(Step step);
+    static std::vector<LayerRect> rects_of(const std::deque<Step>& steps);
     static std::vector<LayerRect> move_step(std::deque<Step>& from, std::deque<Step>& to,
                                             const LayerMaps& map_of);
 

@@ -61,6 +61,10 @@ void brush_rows(Desk& desk) {
     if (brush.radial > 1)
         choice_row("Radial axis", axis_names(), brush.radial_axis,
                    "The object's axis that the copies go about.");
+    if (brush.tool == Tool::erase)
+        choice_row(
+            "Erase to", erase_to_names(), brush.erase_to,
+            "midlevel: no displacement at all. saved: the map as it was last saved or, before that, opened.");
     for (const BrushFlag& flag : brush_flags())
         if (holds(flag.tools, brush.tool)) switch_row(readable(flag.name), brush.*flag.value, flag.tooltip);
 }

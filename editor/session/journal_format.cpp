@@ -64,14 +64,18 @@ std::string brush_object(const Brush& brush) {
         if (i >= kAlwaysWritten && brush.*parameter.value == standard.*parameter.value) continue;
         text.append(",\"").append(parameter.name).append("\":").append(number(brush.*parameter.value));
     }
-    if (brush.radial_axis != standard.radial_axis)
-        text.append(",\"radial_axis\":\"")
-            .append(axis_names()[static_cast<std::size_t>(brush.radial_axis)])
+    const auto choice = [&](const char* key, auto value, auto usual,
+                            std::span<const std::string_view> names) {
+        if (value == usual) return;
+        text.append(",\"")
+            .append(key)
+            .append("\":\"")
+            .append(names[static_cast<std::size_t>(value)])
             .append("\"");
-    if (brush.paint != standard.paint)
-        text.append(",\"paint\":\"")
-            .append(paint_names()[static_cast<std::size_t>(brush.paint)])
-            .append("\"");
+    };
+    choice("radial_axis", brush.radial_axis, standard.radial_axis, axis_names());
+    choice("paint", brush.paint, standard.paint, paint_names());
+    choice("erase_to", brush.erase_to, standard.erase_to, erase_to_names());
     return text + "}";
 }
 

@@ -129,7 +129,7 @@ constexpr int kMaxSpp = 1 << 20;  // samples a pixel
 constexpr double kMaxReal = 1e30;
 
 Brush read_brush(const json& value, const std::string& where) {
-    std::vector<std::string_view> keys{"tool", "falloff", "radial_axis", "paint"};
+    std::vector<std::string_view> keys{"tool", "falloff", "radial_axis", "paint", "erase_to"};
     for (const BrushFlag& flag : brush_flags()) keys.push_back(flag.name);
     for (const BrushParameter& parameter : brush_parameters()) keys.push_back(parameter.name);
     const Fields fields(value, where + ": brush", keys);
@@ -144,6 +144,8 @@ Brush read_brush(const json& value, const std::string& where) {
     if (fields.has("radial_axis"))
         brush.radial_axis = static_cast<Axis>(fields.choice("radial_axis", axis_names()));
     if (fields.has("paint")) brush.paint = static_cast<Paint>(fields.choice("paint", paint_names()));
+    if (fields.has("erase_to"))
+        brush.erase_to = static_cast<EraseTo>(fields.choice("erase_to", erase_to_names()));
     for (const BrushFlag& flag : brush_flags()) {
         const std::string key(flag.name);
         if (fields.has(key.c_str())) brush.*flag.value = fields.boolean(key);

@@ -10,8 +10,8 @@
 
 namespace relievo {
 
-// Bytes. The figures are bounds from above, measured at 2048 to 8192 texels a side; undo steps come on top,
-// up to their own budget.
+// Bytes. The figures are bounds from above, measured at 2048 to 8192 texels a side; on top come undo steps,
+// up to their own budget, and what edits keep of the saved map, at most 2 bytes a texel.
 struct MapMemory {
     std::uint64_t editing = 0;  // texels, what of the file is kept for saving, texel tables of the surface
     std::uint64_t passing = 0;  // while the file is read or written

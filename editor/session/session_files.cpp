@@ -56,6 +56,7 @@ void Session::export_colours(const fs::path& path) const {
 void Session::confirm_saved(const fs::path& path, const fs::path& colour_path) {
     State& s = *state_;
     s.map_path = fs::absolute(path);
+    s.sculptor->mark_saved();
     SaveOp op{*s.map_path, s.file.map.hash()};
     if (!colour_path.empty() && s.colours.there()) {
         s.colours.set_file(fs::absolute(colour_path));

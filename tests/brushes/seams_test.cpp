@@ -77,6 +77,28 @@ TEST(AlignedSeam, every_tool_leaves_a_gap_of_zero_counts_after_every_dab) {
     }
 }
 
+TEST(AlignedSeam, erasing_to_what_was_saved_gives_its_gutters_back_too) {
+    AlignedIslands islands;
+    Sculptor sculptor(islands.map, islands.surface);
+    stroke(sculptor, islands.surface, brush_of(Tool::draw, 0.15f, 0.8f), {0.3, 0.3}, {0.7, 0.6});
+    sculptor.mark_saved();
+    const std::uint64_t saved = islands.map.hash();
+    stroke(sculptor, islands.surface, brush_of(Tool::draw, 0.1f, 0.8f), {0.3, 0.6}, {0.7, 0.3});
+    Brush erase = brush_of(Tool::erase, 0.15f, 0.7f);
+    erase.erase_to = EraseTo::saved;
+    sculptor.begin(erase);
+    for (int i = 0; i <= 20; ++i) {
+        sculptor.dab(islands.surface.dab(0.4 + 0.01 * i, 0.5));
+        ASSERT_EQ(islands.gap(), 0.0) << "dab " << i;
+    }
+    sculptor.end();
+    erase = brush_of(Tool::erase, 3, 1.0f);
+    erase.erase_to = EraseTo::saved;
+    erase.falloff = Falloff::constant;
+    tap(sculptor, islands.surface, erase, {0.5, 0.5});
+    EXPECT_EQ(islands.map.hash(), saved);
+}
+
 TEST(AlignedSeam, height_does_not_depend_on_the_cut) {
     AlignedIslands cut;
     HeightMap whole_map(96, 96);
@@ -178,6 +200,30 @@ TEST(SlantedSeam, strokes_elsewhere_leave_it_alone_and_undo_restores_it) {
     sculptor.undo();
     sculptor.undo();
     EXPECT_EQ(islands.map.hash(), start);
+}
+
+TEST(SlantedSeam, erasing_to_what_was_saved_keeps_it_closed) {
+    SlantedIslands islands(30.0, 0.83);
+    Sculptor sculptor(islands.map, islands.surface);
+    stroke(sculptor, islands.surface, brush_of(Tool::draw, 0.12f, 0.8f), {0.3, 0.5}, {0.7, 0.5});
+    sculptor.mark_saved();
+    const HeightMap saved = islands.map;
+    const double height = islands.height();
+    stroke(sculptor, islands.surface, brush_of(Tool::draw, 0.12f, 1.0f), {0.3, 0.4}, {0.7, 0.6});
+    Brush erase = brush_of(Tool::erase, 0.2f, 1.0f);
+    erase.erase_to = EraseTo::saved;
+    stroke(sculptor, islands.surface, erase, {0.5, 0.2}, {0.5, 0.8});
+    EXPECT_LE(islands.gap(), 0.02 * height);
+    erase.falloff = Falloff::constant;
+    erase.radius = 3;
+    tap(sculptor, islands.surface, erase, {0.5, 0.5});
+    EXPECT_LE(islands.gap(), 0.02 * height);
+    double worst = 0;
+    for (int y = 0; y < islands.map.height(); ++y)
+        for (int x = 0; x < islands.map.width(); ++x)
+            if (islands.surface.owned(x, y))
+                worst = std::max(worst, std::abs(islands.map.at(x, y) - 1.0 * saved.at(x, y)));
+    EXPECT_LT(worst, 0.02 * height) << "what closing the seam takes";
 }
 
 TEST(SlantedSeam, repeated_strokes_do_not_wear_the_border) {

@@ -122,6 +122,39 @@ TEST_F(Recovery, AKillAfterSavingOverTheMapReplaysOnTheOldOne) {
     EXPECT_EQ(session.map().hash(), wanted);
 }
 
+TEST_F(Recovery, EraseGoesToTheSaveOfTheKilledSession) {
+    const auto erase = [](Session& session) {
+        session.undo();
+        session.brush().erase_to = EraseTo::saved;
+        sculpt(session, 1, 9, Tool::erase);
+    };
+    std::uint64_t wanted = 0;
+    {
+        const std::string start = test::read_text(folder_.path() / "map.tif");
+        Session session(scene_, test::headless());
+        sculpt(session, 1);
+        session.save(folder_.path() / "map.tif");
+        erase(session);
+        wanted = session.map().hash();
+        test::write_text(folder_.path() / "map.tif", start);
+    }
+    run_killed([&](Session& session) {
+        sculpt(session, 1);
+        session.save(folder_.path() / "map.tif");
+        erase(session);
+    });
+    const auto found = find_abandoned_journals();
+    ASSERT_EQ(found.size(), 1u);
+    SessionOptions options = test::headless();
+    options.map = found[0].base_map;
+    Session session(scene_, options);
+    replay(read_journal(found[0].journal), session);
+    EXPECT_EQ(session.map().hash(), wanted);
+    session.brush().strength = 1;
+    sculpt(session, 1, 9, Tool::erase);
+    EXPECT_NE(session.map().hash(), wanted) << "and goes on from there";
+}
+
 TEST_F(Recovery, AKillWithNothingUnsavedOffersNothing) {
     run_killed([](Session&) {});
     EXPECT_TRUE(find_abandoned_journals().empty());

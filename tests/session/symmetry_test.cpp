@@ -98,6 +98,9 @@ TEST(Symmetry, BothSidesOfTheMirrorAreEqualToTheLastCountWithEveryTool) {
         EXPECT_TRUE(session.map().hash() != before || info.tool == Tool::mask) << info.name;
         EXPECT_EQ(asymmetric_texels(session.map()), 0) << info.name;
     }
+    session.brush().erase_to = EraseTo::saved;
+    sculpt_left(session, Tool::erase);
+    EXPECT_EQ(asymmetric_texels(session.map()), 0);
     ASSERT_TRUE(session.mask());
     EXPECT_EQ(asymmetric_texels(*session.mask()), 0);
 }
