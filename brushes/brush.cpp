@@ -78,7 +78,7 @@ constexpr std::array kTools{
     ToolInfo{Tool::mask, "mask", "Paints what every other tool leaves as it is; inverted, frees it again"},
 };
 
-constexpr std::array<std::string_view, 4> kFalloffs{"smooth", "linear", "sharp", "constant"};
+constexpr std::array<std::string_view, 5> kFalloffs{"smooth", "linear", "sharp", "constant", "custom"};
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 constexpr std::array<std::string_view, 3> kPaints{"height", "colour", "both"};
 constexpr std::array<std::string_view, 2> kErasesTo{"midlevel", "saved"};

@@ -8,6 +8,8 @@
 #include <span>
 #include <string_view>
 
+#include "brushes/falloff_curve.h"
+
 namespace relievo {
 
 enum class Tool : std::uint8_t {
@@ -28,7 +30,7 @@ enum class Tool : std::uint8_t {
     mask
 };
 enum class Axis : std::uint8_t { x, y, z };
-enum class Falloff : std::uint8_t { smooth, linear, sharp, constant };
+enum class Falloff : std::uint8_t { smooth, linear, sharp, constant, custom };
 // What a tool that raises or lowers, or smooth, changes; other tools change heights alone.
 enum class Paint : std::uint8_t { height, colour, both };
 // saved: the map as it was last saved, or, before that, loaded.
@@ -56,6 +58,7 @@ struct Brush {
     Paint paint = Paint::height;
     float red = 0.8f, green = 0.3f, blue = 0.2f;  // sRGB-encoded, as the colour map holds them, [0, 1]
     EraseTo erase_to = EraseTo::midlevel;         // of the erase tool
+    FalloffCurve falloff_curve;                   // of the custom falloff
     bool operator==(const Brush&) const = default;
 };
 

@@ -10,9 +10,9 @@
 
 namespace relievo {
 
-float falloff_weight(Falloff falloff, float hardness, float part) {
-    const float x = part <= hardness ? 0.0f : (part - hardness) / (1.0f - hardness);
-    switch (falloff) {
+float falloff_weight(const Brush& brush, float part) {
+    const float x = part <= brush.hardness ? 0.0f : (part - brush.hardness) / (1.0f - brush.hardness);
+    switch (brush.falloff) {
         case Falloff::smooth:
             return (1.0f - x) * (1.0f - x) * (1.0f + 2.0f * x);
         case Falloff::linear:
@@ -21,6 +21,8 @@ float falloff_weight(Falloff falloff, float hardness, float part) {
             return (1.0f - x) * (1.0f - x);
         case Falloff::constant:
             return 1.0f;
+        case Falloff::custom:
+            return brush.falloff_curve.weight(x);
     }
     return 0.0f;
 }

@@ -51,8 +51,9 @@ inline constexpr float kDrawRise = 0.5f;      // of the radius
 inline constexpr float kUnitSpacing = 0.15f;  // of the radius
 inline constexpr float kPinch = 0.15f;        // of the distance to the centre
 
-// The weight at `part` of the radius, both in [0, 1]: 1 up to `hardness`, 0 at the rim (but for constant).
-float falloff_weight(Falloff falloff, float hardness, float part);
+// The weight at `part` of the radius, both in [0, 1], by falloff and hardness: 1 up to the hardness, 0 at the
+// rim (but for constant and custom).
+float falloff_weight(const Brush& brush, float part);
 
 class Alpha;
 class SavedHeights;

@@ -26,7 +26,7 @@ struct Work {
 
     float falloff(const SurfaceTexel& texel) const {
         const float part = std::min(texel.distance / place.radius, 1.0f);
-        return falloff_weight(brush.falloff, brush.hardness, part);
+        return falloff_weight(brush, part);
     }
     // 0 where the mask protects the texel.
     float free(const SurfaceTexel& t) const {

@@ -36,8 +36,7 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
         if (alpha_)
             image.emplace(*alpha_, place.centre, place.radius, place.right, brush_.rotation, texels.size());
         for (const SurfaceTexel& t : texels) {
-            const float falloff =
-                falloff_weight(brush_.falloff, brush_.hardness, std::min(t.distance / place.radius, 1.0f));
+            const float falloff = falloff_weight(brush_, std::min(t.distance / place.radius, 1.0f));
             const float free = mask ? 1.0f - static_cast<float>(mask->at(t.x, t.y)) / kTop : 1.0f;
             const float shown = image ? std::clamp(image->at(t), 0.0f, 1.0f) : 1.0f;
             const float weight = brush_.strength * pressure * falloff * free * shown;

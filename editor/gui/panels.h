@@ -14,7 +14,7 @@ void draw_status_bar(Desk& desk, const Box& box);
 
 // Sections of the side panel.
 void draw_brush_section(Desk& desk);
-void draw_falloff_preview(const Brush& brush);
+void draw_falloff_preview(Brush& brush);  // where the custom one is drawn, too
 void draw_alpha_picker(Desk& desk);  // rows of it, for the stamp
 void draw_colour_rows(Desk& desk);  // of the brush section: painting
 void draw_map_section(Desk& desk);

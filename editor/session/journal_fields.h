@@ -1,5 +1,5 @@
-// Reads the keys of one JSON object of a journal; whatever is wrong is named by file, line and key. Private to
-// journal_*.cpp.
+// Reads the keys of one JSON object of a journal; whatever is wrong is named by file, line and key. Private
+// to journal_*.cpp.
 #pragma once
 
 #include <charconv>
@@ -21,7 +21,8 @@ namespace relievo {
 // One JSON object of a line and where it stands, for messages.
 class JournalFields {
   public:
-    JournalFields(const nlohmann::json& object, std::string where, std::initializer_list<std::string_view> known)
+    JournalFields(const nlohmann::json& object, std::string where,
+                  std::initializer_list<std::string_view> known)
         : JournalFields(object, std::move(where), std::span(known.begin(), known.size())) {}
     JournalFields(const nlohmann::json& object, std::string where, std::span<const std::string_view> known)
         : object_(object), where_(std::move(where)) {

@@ -48,6 +48,17 @@ std::string number(float value) {
 // that lines stay short and older programs read what they can do.
 constexpr std::size_t kAlwaysWritten = 5;
 
+std::string curve_array(const FalloffCurve& curve) {
+    std::string text(1, '[');
+    for (const CurvePoint& point : curve.points())
+        text.append(text.size() > 1 ? ",[" : "[")
+            .append(number(point.part))
+            .append(",")
+            .append(number(point.weight))
+            .append("]");
+    return text.append("]");
+}
+
 std::string brush_object(const Brush& brush) {
     std::string text = "{\"tool\":\"";
     for (const ToolInfo& tool : tools())
@@ -76,6 +87,8 @@ std::string brush_object(const Brush& brush) {
     choice("radial_axis", brush.radial_axis, standard.radial_axis, axis_names());
     choice("paint", brush.paint, standard.paint, paint_names());
     choice("erase_to", brush.erase_to, standard.erase_to, erase_to_names());
+    if (brush.falloff_curve != standard.falloff_curve)
+        text.append(",\"falloff_curve\":").append(curve_array(brush.falloff_curve));
     return text + "}";
 }
 

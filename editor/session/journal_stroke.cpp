@@ -9,8 +9,26 @@ namespace {
 using nlohmann::json;
 using Fields = JournalFields;
 
+FalloffCurve read_curve(const Fields& fields, const std::string& key) {
+    const json& value = fields.at(key);
+    if (!value.is_array() || value.size() < FalloffCurve::kFewest || value.size() > FalloffCurve::kMost)
+        fields.fail(key, "must be an array of " + std::to_string(FalloffCurve::kFewest) + " to " +
+                             std::to_string(FalloffCurve::kMost) + " points [part, weight]");
+    const auto place = [&](std::size_t i) { return key + "[" + std::to_string(i) + "]"; };
+    std::vector<CurvePoint> points;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const json& point = value[i];
+        if (!point.is_array() || point.size() != 2 || !point[0].is_number() || !point[1].is_number())
+            fields.fail(place(i), "must be [part, weight], two numbers");
+        points.push_back({point[0].get<float>(), point[1].get<float>()});
+    }
+    if (const auto fault = FalloffCurve::check(points)) fields.fail(place(fault->point), fault->what);
+    return FalloffCurve(points);
+}
+
 Brush read_brush(const json& value, const std::string& where) {
-    std::vector<std::string_view> keys{"tool", "falloff", "radial_axis", "paint", "erase_to"};
+    std::vector<std::string_view> keys{"tool",        "falloff", "falloff_curve",
+                                       "radial_axis", "paint",   "erase_to"};
     for (const BrushFlag& flag : brush_flags()) keys.push_back(flag.name);
     for (const BrushParameter& parameter : brush_parameters()) keys.push_back(parameter.name);
     const Fields fields(value, where + ": brush", keys);
@@ -22,6 +40,7 @@ Brush read_brush(const json& value, const std::string& where) {
     }
     if (fields.has("falloff"))
         brush.falloff = static_cast<Falloff>(fields.choice("falloff", falloff_names()));
+    if (fields.has("falloff_curve")) brush.falloff_curve = read_curve(fields, "falloff_curve");
     if (fields.has("radial_axis"))
         brush.radial_axis = static_cast<Axis>(fields.choice("radial_axis", axis_names()));
     if (fields.has("paint")) brush.paint = static_cast<Paint>(fields.choice("paint", paint_names()));

@@ -85,7 +85,7 @@ TEST(EraseToSaved, random_strokes_undo_redo_and_saves_end_at_the_last_save) {
         Sheet sheet(150, 90);
         HeightMap saved = sheet.map;
         for (int i = 0; i < 40; ++i) {
-            const std::uint32_t what = random() % 8;
+            const auto what = random() % 8;
             if (what == 0) {
                 sheet.sculptor.mark_saved();
                 saved = sheet.map;

@@ -47,9 +47,9 @@ double target_of(const Brush& brush, std::size_t channel) {
 // Of the dab at the middle of the texel (x, y) seen from the middle of texel (cx, cy).
 double falloff_at(const Plane& plane, const Brush& brush, int x, int y, double cx, double cy) {
     const double d = std::hypot((x + 0.5) / plane.map.width() - cx, (y + 0.5) / plane.map.height() - cy);
-    return d < double{brush.radius} ? double{falloff_weight(brush.falloff, brush.hardness,
-                                                            static_cast<float>(d / double{brush.radius}))}
-                                    : 0;
+    return d < double{brush.radius}
+               ? double{falloff_weight(brush, static_cast<float>(d / double{brush.radius}))}
+               : 0;
 }
 
 TEST(Paint, one_dab_blends_by_the_documented_fraction) {

@@ -88,8 +88,8 @@ TEST(Stamp, strength_pressure_falloff_and_invert_scale_it) {
     brush.strength = 0.5f;
     brush.invert = true;
     plane.press(brush, painted(512, 512, hills), {0.5, 0.5});
-    const auto expected = [](glm::dvec2 p) {
-        const float falloff = falloff_weight(Falloff::smooth, 0.0f, static_cast<float>(glm::length(p)));
+    const auto expected = [&](glm::dvec2 p) {
+        const float falloff = falloff_weight(brush, static_cast<float>(glm::length(p)));
         return -0.5 * kFull * hills(p.x, p.y) * double{falloff};
     };
     EXPECT_LE(plane.largest_error({0.5, 0.5}, expected), 1.0);

@@ -250,14 +250,16 @@ TEST(Flatten, bumps_sink_into_their_plane_and_a_slope_stays) {
 }
 
 TEST(Falloff, is_one_within_the_hardness_and_falls_to_the_rim) {
-    for (const Falloff falloff : {Falloff::smooth, Falloff::linear, Falloff::sharp, Falloff::constant})
+    for (const Falloff falloff :
+         {Falloff::smooth, Falloff::linear, Falloff::sharp, Falloff::constant, Falloff::custom})
         for (const float hardness : {0.0f, 0.4f, 0.99f}) {
-            EXPECT_EQ(falloff_weight(falloff, hardness, 0.0f), 1.0f);
-            EXPECT_EQ(falloff_weight(falloff, hardness, hardness), 1.0f);
-            EXPECT_NEAR(falloff_weight(falloff, hardness, 1.0f), falloff == Falloff::constant ? 1.0f : 0.0f,
-                        1e-6f);
+            Brush brush;
+            brush.falloff = falloff, brush.hardness = hardness;
+            EXPECT_EQ(falloff_weight(brush, 0.0f), 1.0f);
+            EXPECT_EQ(falloff_weight(brush, hardness), 1.0f);
+            EXPECT_NEAR(falloff_weight(brush, 1.0f), falloff == Falloff::constant ? 1.0f : 0.0f, 1e-6f);
             for (float x = 0.0f; x < 0.99f; x += 0.01f)
-                EXPECT_GE(falloff_weight(falloff, hardness, x), falloff_weight(falloff, hardness, x + 0.01f));
+                EXPECT_GE(falloff_weight(brush, x), falloff_weight(brush, x + 0.01f));
         }
 }
 

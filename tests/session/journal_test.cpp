@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <random>
@@ -59,6 +60,11 @@ TEST(Journal, EveryOperationReadsBackEqual) {
                  std::nullopt,
                  {{FacePoint{1, 2, 3}, FacePoint{6, 0, 1048576}}, {{}, {}}}},
         StrokeOp{Brush{.tool = Tool::erase, .erase_to = EraseTo::saved}, {}},
+        StrokeOp{Brush{.falloff = Falloff::custom}, {}},
+        StrokeOp{Brush{.falloff = Falloff::custom,
+                       .falloff_curve = FalloffCurve(std::array{CurvePoint{0, 0.1f}, CurvePoint{1.0f / 3, 1},
+                                                                CurvePoint{0.99f, 0}, CurvePoint{1, 0.7f}})},
+                 {}},
         MaskOp{MaskCommand::blur},
         UndoOp{},
         RedoOp{},
@@ -186,6 +192,18 @@ TEST(Journal, WrongKeysTypesAndRangesAreNamed) {
          ":2: brush: radial_axis: is \"w\", must be one of x, y, z"},
         {R"({"op":"stroke","brush":{"erase_to":"zero"},"dabs":[]})",
          ":2: brush: erase_to: is \"zero\", must be one of midlevel, saved"},
+        {R"({"op":"stroke","brush":{"falloff_curve":[[0,1]]},"dabs":[]})",
+         ":2: brush: falloff_curve: must be an array of 2 to 8 points [part, weight]"},
+        {R"({"op":"stroke","brush":{"falloff_curve":[[0,1],[1,"a"]]},"dabs":[]})",
+         ":2: brush: falloff_curve[1]: must be [part, weight], two numbers"},
+        {R"({"op":"stroke","brush":{"falloff_curve":[[0.1,1],[1,0]]},"dabs":[]})",
+         ":2: brush: falloff_curve[0]: must lie at 0, the middle"},
+        {R"({"op":"stroke","brush":{"falloff_curve":[[0,1],[0.5,0],[0.25,0],[1,0]]},"dabs":[]})",
+         ":2: brush: falloff_curve[2]: must lie at least 0.0078125 beyond the one before, at 0.5"},
+        {R"({"op":"stroke","brush":{"falloff_curve":[[0,1],[0.9,0]]},"dabs":[]})",
+         ":2: brush: falloff_curve[1]: must lie at 1, the rim"},
+        {R"({"op":"stroke","brush":{"falloff_curve":[[0,1],[1,1e300]]},"dabs":[]})",
+         ":2: brush: falloff_curve[1]: must have a weight in [0, 1]"},
         {R"({"op":"stroke","brush":{"seed":-1},"dabs":[]})", ":2: brush: seed: is -1, must be in [0, 65535]"},
         {R"({"op":"stroke","brush":{},"dabs":[[0,0,0,0,-1]]})",
          ":2: dabs[0][4]: is -1, must be in [0, 65535]"},
