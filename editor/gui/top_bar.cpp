@@ -1,6 +1,7 @@
 // The bar at the top: file, history, and the brush settings that change most often.
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -97,28 +98,35 @@ float label_width(const char* text) {
     return points(14) + ImGui::CalcTextSize(text).x + points(6);
 }
 
-void size_slider(Desk& desk) {
+// What stands on a slider; its name too, where the bar has no room for a label.
+std::string on_slider(bool labelled, const char* name, const char* format) {
+    return labelled ? format : std::string(name) + " " + format;
+}
+
+void size_slider(Desk& desk, bool labelled) {
     const float radius = desk.mesh_radius();
     StrokeSettings& settings = desk.session.stroke_settings();
+    const auto slider = [&](float& value, const Range& range) {
+        bar_slider("##size", value, range, on_slider(labelled, "size", range.format).c_str());
+    };
     if (settings.unit == RadiusUnit::world)
-        bar_slider("##size", desk.session.brush().radius, {radius * 0.002f, radius * 2, true}, "%.4g");
-    if (settings.unit == RadiusUnit::screen)
-        bar_slider("##size", settings.radius_px, {1, 2000, true}, "%.0f px");
-    if (settings.unit == RadiusUnit::texel)
-        bar_slider("##size", settings.radius_texels, {0.5f, 4000, true}, "%.1f texels");
+        slider(desk.session.brush().radius, {radius * 0.002f, radius * 2, true, "%.4g"});
+    if (settings.unit == RadiusUnit::screen) slider(settings.radius_px, {1, 2000, true, "%.0f px"});
+    if (settings.unit == RadiusUnit::texel) slider(settings.radius_texels, {0.5f, 4000, true, "%.1f texels"});
     tooltip(
         "Reach of the brush on the displaced surface; its unit is chosen at the right.  [ and ] change it, F "
         "drags it.",
         "Size");
 }
 
-void strength_slider(Desk& desk) {
-    bar_slider("##strength", desk.session.brush().strength, {0, 1}, "%.2f");
+void strength_slider(Desk& desk, bool labelled) {
+    bar_slider("##strength", desk.session.brush().strength, {0, 1},
+               on_slider(labelled, "strength", "%.2f").c_str());
     tooltip("Draw: height of one pass. Level and erase: how far one stroke goes.  Shift+F drags it.",
             "Strength");
 }
 
-void symmetry_buttons(Desk& desk) {
+void symmetry_buttons(Desk& desk, bool) {
     constexpr std::array kFlags{&Brush::mirror_x, &Brush::mirror_y, &Brush::mirror_z};
     constexpr std::array kNames{"X", "Y", "Z"};
     for (std::size_t axis = 0; axis < kFlags.size(); ++axis) {
@@ -131,7 +139,7 @@ void symmetry_buttons(Desk& desk) {
     }
 }
 
-void view_combo(Desk& desk) {
+void view_combo(Desk& desk, bool) {
     const ViewInfo& now = view_info(desk.live.view());
     if (ImGui::BeginCombo("##view", std::string(now.name).c_str(), ImGuiComboFlags_HeightLarge)) {
         for (const ViewInfo& info : views()) {
@@ -175,29 +183,49 @@ void method_combo(Desk& desk) {
 
 namespace {
 
-// The settings of the bar, left to right; `rank`: what finds no room is left out from the greatest on. All of
-// them stand in the side panel too, but the view.
+// The settings of the bar, left to right; `rank`: what finds no room is left out from the greatest on, and
+// labels from the least on. All of them stand in the side panel too, but the view.
 struct BarItem {
     const char* name;
-    float width;  // points
+    float width, least;  // points: beside its label, and without one
     int rank;
-    void (*draw)(Desk& desk);
+    void (*draw)(Desk& desk, bool labelled);
 };
+
+constexpr float kGap = 10;  // points before an item without a label
 
 constexpr std::array kItems{
-    BarItem{"Size", 130, 2, size_slider},     BarItem{"Strength", 110, 3, strength_slider},
-    BarItem{"Falloff", 96, 4, falloff_combo}, BarItem{"Method", 110, 1, method_combo},
-    BarItem{"View", 118, 0, view_combo},      BarItem{"Symmetry", 90, 5, symmetry_buttons},
+    BarItem{"Size", 130, 104, 2, size_slider},
+    BarItem{"Strength", 110, 104, 3, strength_slider},
+    BarItem{"Falloff", 96, 88, 4, [](Desk& desk, bool) { falloff_combo(desk); }},
+    BarItem{"Method", 110, 102, 1, [](Desk& desk, bool) { method_combo(desk); }},
+    BarItem{"View", 118, 88, 0, view_combo},
+    BarItem{"Symmetry", 90, 84, 5, symmetry_buttons},
+};
+constexpr int kRanks = static_cast<int>(kItems.size());
+
+const BarItem& item_of(int rank) {
+    return *std::ranges::find(kItems, rank, &BarItem::rank);
+}
+
+// Ranks below `shown` find room, and those from `labelled` on find some for their labels as well.
+struct Fit {
+    int shown = 0, labelled = 0;
 };
 
-// The ranks below it fit into `room` pixels.
-int ranks_that_fit(float room) {
-    for (int rank = 0; rank < static_cast<int>(kItems.size()); ++rank) {
-        for (const BarItem& item : kItems)
-            if (item.rank == rank) room -= label_width(item.name) + points(item.width);
-        if (room < 0) return rank;
+Fit fit_into(float room) {
+    Fit fit;
+    for (; fit.shown < kRanks; ++fit.shown) {
+        const float need = points(kGap + item_of(fit.shown).least);
+        if (need > room) break;
+        room -= need;
     }
-    return static_cast<int>(kItems.size());
+    for (fit.labelled = fit.shown; fit.labelled > 0; --fit.labelled) {
+        const BarItem& item = item_of(fit.labelled - 1);
+        room -= label_width(item.name) + points(item.width - item.least - kGap);
+        if (room < 0) break;
+    }
+    return fit;
 }
 
 }  // namespace
@@ -206,12 +234,16 @@ void draw_top_bar(Desk& desk, const Box& box) {
     begin_panel("top", box, points(10), (static_cast<float>(box.height) - ImGui::GetFrameHeight()) / 2);
     file_buttons(desk);
     const float keys = static_cast<float>(box.width) - ImGui::CalcTextSize("Keys").x - points(28);
-    const int ranks = ranks_that_fit(keys - ImGui::GetCursorPosX() - points(8));
+    const Fit fit = fit_into(keys - ImGui::GetCursorPosX() - points(8));
     for (const BarItem& item : kItems) {
-        if (item.rank >= ranks) continue;
-        label(item.name);
-        ImGui::SetNextItemWidth(points(item.width));
-        item.draw(desk);
+        if (item.rank >= fit.shown) continue;
+        const bool labelled = item.rank >= fit.labelled;
+        if (labelled)
+            label(item.name);
+        else
+            ImGui::SameLine(0, points(kGap));
+        ImGui::SetNextItemWidth(points(labelled ? item.width : item.least));
+        item.draw(desk, labelled);
     }
     ImGui::SameLine(keys);
     if (push_button("Keys", true, "All keys and mouse buttons  (F1)")) desk.view.wanted = Dialog::keys;
