@@ -1,6 +1,10 @@
 // The program: the command line, with the window behind its verb `edit`.
 #include <csignal>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "editor/cli/cli.h"
 
 #ifdef RELIEVO_HAS_WINDOW
@@ -9,6 +13,10 @@
 
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, not the end of the session
+#ifdef __GLIBC__
+    // What a large dab needed for a moment goes back to the system; by itself, glibc comes to keep it.
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
     relievo::EditorEntry editor;
 #ifdef RELIEVO_HAS_WINDOW
     editor = [](const relievo::EditRequest& request) {

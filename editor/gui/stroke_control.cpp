@@ -11,9 +11,8 @@
 namespace relievo::gui {
 namespace {
 
-// Texels that draw would visit at every dab: about two seconds on two cores, in which the window stands
-// still. Whole maps of 4096 x 4096 are allowed, with the tools that draw.
-constexpr double kMostWork = 20e6;
+// Texels that draw would visit at every dab: about a second on two cores, in which the window stands still, and 200 MB.
+constexpr double kMostWork = 8e6;
 
 // A stroke that starts beside the object is judged by the first face.
 void refuse_heavy(const Session& session, const Brush& brush, const PickHit& hit) {
@@ -27,7 +26,7 @@ void refuse_heavy(const Session& session, const Brush& brush, const PickHit& hit
     const DabCost cost = dab_cost(brush, centre, surface);
     if (!(cost.work > kMostWork)) return;
     const std::string texels = std::to_string(cost.texels / 1000) + " thousand texels";
-    throw std::invalid_argument("Every dab would take seconds: the brush reaches " + texels +
+    throw std::invalid_argument("Every dab would take long: the brush reaches " + texels +
                                 (cost.copies > 1 ? " in each of " + std::to_string(cost.copies) +
                                                        " copies. Make it smaller, or use fewer copies"
                                                  : ". Make it smaller"));
