@@ -130,6 +130,8 @@ bool tool_button(const ToolInfo& tool, const Icon& icon, float size, bool chosen
     return pushed;
 }
 
+constexpr float kLeastRow = 21;  // points of height for a tool and the gap below it, in one column
+
 std::string capitalised(std::string_view name) {
     std::string text(name);
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
@@ -145,17 +147,24 @@ std::string key_of(std::size_t index) {
 }  // namespace
 
 void draw_tool_column(Desk& desk, const Box& box) {
-    // Many tools in a low window: smaller buttons, so that all are there.
-    const auto count = static_cast<float>(tools().size());
-    const float room = (static_cast<float>(box.height) - points(20)) / count;
+    // Many tools in a low window: smaller buttons, in two columns where it is lower still, so that all are
+    // there.
+    const std::size_t count = tools().size();
+    const auto room_for = [&](std::size_t rows) {
+        return (static_cast<float>(box.height) - points(20)) / static_cast<float>(rows);
+    };
+    const std::size_t across = room_for(count) < points(kLeastRow) ? 2 : 1;
+    const float room = room_for((count + across - 1) / across);
     const float gap = std::min(ImGui::GetStyle().ItemSpacing.y, room * 0.15f);
-    const float size = std::clamp(room - gap, points(18), points(44));
-    const float pad = (static_cast<float>(box.width) - size) / 2;
+    const float size = std::clamp(room - gap, points(12), points(across == 1 ? 44 : 26));
+    const auto columns = static_cast<float>(across);
+    const float pad = (static_cast<float>(box.width) - columns * size - (columns - 1) * gap) / 2;
     begin_panel("tools", box, pad, points(10));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, gap));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
     const Brush& brush = desk.session.brush();
-    for (std::size_t i = 0; i < tools().size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const ToolInfo& tool = tools()[i];
+        if (i % across > 0) ImGui::SameLine();
         if (tool_button(tool, icon_of(tool.name), size, brush.tool == tool.tool)) desk.choose_tool(i);
         tooltip(tool.tooltip, capitalised(tool.name) + key_of(i));
     }
