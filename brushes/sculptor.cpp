@@ -41,6 +41,7 @@ struct Sculptor::State {
     struct Branch {
         std::unique_ptr<TurnedSurface> turned;  // null without symmetry
         std::optional<glm::vec3> last_place;    // of the last dab, world units
+        std::optional<glm::dvec3> last_in_world;  // the same in world space, not in its own frame
         std::shared_ptr<Hold> hold;
     };
 
@@ -167,18 +168,37 @@ void Sculptor::State::apply(const Dab& dab, Points copies, Points sources) {
 
 namespace {
 
-// Copies that lie on one another do together what one does: each takes the share of the strength that is left
-// when the overlap of the balls, along the line between their centres, is divided among them.
-std::vector<float> shares(const std::vector<glm::dvec3>& centres, double radius) {
+// The hand, or a copy, in world space.
+struct Moving {
+    glm::dvec3 centre;
+    glm::dvec3 motion;  // from the last dab; 0: none
+};
+
+// 1 for copies that move the same way, or not at all; 0 for those that cross each other, or meet.
+double agreement(const glm::dvec3& a, const glm::dvec3& b) {
+    const double lengths = glm::length(a) * glm::length(b);
+    return lengths > 0 ? std::clamp(glm::dot(a, b) / lengths, 0.0, 1.0) : 1.0;
+}
+
+// Copies that lie on one another and move the same way do together what one does: each takes the share of the
+// strength that is left when the overlap of the balls, along the line between their centres, is divided among
+// them. Those that cross each other cover ground of their own before and behind: to share it there would
+// leave a groove along the plane of a mirror.
+std::vector<float> shares(const std::vector<Moving>& all, double radius) {
     std::vector<float> parts;
-    for (const glm::dvec3& a : centres) {
+    for (const Moving& a : all) {
         double overlap = 0;
-        for (const glm::dvec3& b : centres)
-            overlap += std::max(0.0, 1.0 - glm::length(a - b) / (2.0 * radius));
+        for (const Moving& b : all)
+            overlap += std::max(0.0, 1.0 - glm::length(a.centre - b.centre) / (2.0 * radius)) *
+                       agreement(a.motion, b.motion);
         parts.push_back(static_cast<float>(1.0 / std::max(overlap, 1.0)));
     }
     return parts;
 }
+
+// Tools whose copies share only where they move the same way. The others carry texels along or press whole
+// images, which must not be done twice.
+constexpr ToolSet kShareByMotion = tool_set({Tool::draw, Tool::inflate, Tool::noise, Tool::crease});
 
 }  // namespace
 
@@ -188,11 +208,16 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
     const float pressure =
         std::min(static_cast<float>(dab.pressure) / static_cast<float>(Dab::kPressureOne), 1.0f);
     std::vector<SurfacePoint> centres;
-    std::vector<glm::dvec3> places;  // in world space
+    std::vector<Moving> places;
     for (std::size_t i = 0; i < branches.size(); ++i) {
         const FacePoint point = i == 0 ? FacePoint{dab.face, dab.b1, dab.b2} : copies[i - 1];
         centres.push_back(seen(branches[i], point));
-        places.emplace_back(seen({}, point).position);
+        const glm::dvec3 place(seen({}, point).position);
+        glm::dvec3 motion(0);
+        if (const auto& last = branches[i].last_in_world; last && holds(kShareByMotion, brush.tool))
+            motion = place - *last;
+        branches[i].last_in_world = place;
+        places.push_back({place, motion});
     }
     const glm::vec3 hand =
         glm::vec3(dab.drag[0], dab.drag[1], dab.drag[2]) / static_cast<float>(Dab::kDragOne);
