@@ -104,9 +104,29 @@ FUNC vec2 to_texels(LatticeMap m, vec2 place) {
     return vec2((place.y - m.f.y - m.up_y * y) / m.across_y, y);
 }
 
-// Least and greatest height, in [0, 1], over a part of the lattice square at `square` (relative to the map's): the right
-// angle at `base`, 0 to 1 within the square, the other corners `size` further. `beyond`: of the square's second half.
-FUNC vec2 triforce_bounds(Source object, ProceduralData data, LatticeMap m, ivec2 square, bool beyond, vec2 base, real size) {
+// Half of the lattice square at `square` (relative to the map's), `beyond` the diagonal or not, and the exemplar's offsets at
+// its vertices: the same for all of its parts.
+struct LatticeHalf {
+    ivec2 square;
+    bool beyond;
+    ivec2 shift0, shift1, shift2;
+};
+
+FUNC LatticeHalf lattice_half(Source object, ProceduralData data, LatticeMap m, ivec2 square, bool beyond) {
+    LatticeHalf h;
+    h.square = square;
+    h.beyond = beyond;
+    h.shift0 = vertex_shift(object, data.seed, lattice_vertex(m.square + square, beyond, 0));
+    h.shift1 = vertex_shift(object, data.seed, lattice_vertex(m.square + square, beyond, 1));
+    h.shift2 = vertex_shift(object, data.seed, lattice_vertex(m.square + square, beyond, 2));
+    return h;
+}
+
+// Least and greatest height, in [0, 1], over a part of the half: the right angle at `base`, 0 to 1 within the square, the other
+// corners `size` further.
+FUNC vec2 triforce_bounds(Source object, ProceduralData data, LatticeMap m, LatticeHalf half_square, vec2 base, real size) {
+    bool beyond = half_square.beyond;
+    ivec2 square = half_square.square;
     vec2 corner = vec2(real(square.x), real(square.y));
     vec2 t0 = to_texels(m, corner + base), t1 = to_texels(m, corner + base + vec2(size, 0.0f)),
          t2 = to_texels(m, corner + base + vec2(0.0f, size));
@@ -118,7 +138,7 @@ FUNC vec2 triforce_bounds(Source object, ProceduralData data, LatticeMap m, ivec
     ivec2 home = exemplar_home(object, m.texel + first);
     vec3 low = vec3(0.0f), high = vec3(0.0f);
     for (int i = 0; i < 3; ++i) {
-        ivec2 shift = vertex_shift(object, data.seed, lattice_vertex(m.square + square, beyond, i));
+        ivec2 shift = i == 0 ? half_square.shift0 : (i == 1 ? half_square.shift1 : half_square.shift2);
         vec2 range = exemplar_bounds(object, home, shift, ivec2((1 << level) + 1));
         low[i] = range.x;
         high[i] = range.y;

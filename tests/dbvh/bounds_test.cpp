@@ -53,9 +53,41 @@ class Trial {
         }
     }
 
+    // Parts of a lattice whose finest ones are a unit of the domain's coordinates large.
+    void check_part() {
+        const Primitive& p = primitive_;
+        const Domain g = make_domain(p, subject.normals, greatest_displacement(subject.object), 0);
+        const PrismAxes axes = prism_axes(g, {});
+        const float size = std::ldexp(1.0f, whole(0, 5));
+        const vec2 inside = vec2(barycentrics()), at = g.t0 + g.t1 * inside.x + g.t2 * inside.y;
+        const vec2 from = floor(at / size) * size, to = from + vec2(size);
+        const vec2 low = max(from - g.t0, g.low), high = min(to - g.t0, g.high);
+        const bool cut = low != from - g.t0 || high != to - g.t0;
+        const int side = cut ? 0 : whole(-1, 1);
+        const double d0 = displacement(subject.object, float(real01())),
+                     d1 = displacement(subject.object, float(real01()));
+        const PartPrism prism = part_prism(g, axes, 0.5f * (low + high), 0.5f * (high - low), side,
+                                           vec2(std::min(d0, d1), std::max(d0, d1)));
+        for (int i = 0; i < 30; ++i) {
+            const dvec2 b = barycentrics();
+            const dvec2 texel = dvec2(g.t0) + dvec2(g.t1) * b.x + dvec2(g.t2) * b.y;
+            const dvec2 f = (texel - dvec2(from)) / double(size);
+            if (std::min(f.x, f.y) < 0 || std::max(f.x, f.y) > 1 || (f.x + f.y - 1) * side > 0) continue;
+            ++points;
+            const double d = d0 + real01() * (d1 - d0);
+            const vec4 s = axes_of(g, in_frame_of_triangle(surface(b, subject.object.midlevel + d / subject.object.amplitude)));
+            ASSERT_TRUE(glm::all(glm::greaterThanEqual(s, prism.low)) && glm::all(glm::lessThanEqual(s, prism.high)))
+                << "size " << size << " side " << side;
+        }
+    }
+
     int points = 0;
 
   private:
+    static vec4 axes_of(const Domain& g, const dvec3& v) {
+        return along_axes(edge_normal(g.py), edge_normal(g.px), edge_normal(g.px - g.py), vec3(v));
+    }
+
     double real01() { return std::uniform_real_distribution<double>(0, 1)(random_); }
     double between(double a, double b) { return a + (b - a) * real01(); }
     int whole(int a, int b) { return std::uniform_int_distribution<int>(a, b)(random_); }
@@ -160,6 +192,17 @@ TEST_P(DbvhBounds, HoldEveryPointOfTheSurface) {
     for (unsigned seed = 0; seed < 20000; ++seed) {
         Trial trial(seed);
         for (int i = 0; i < 4; ++i) trial.check_square(GetParam());
+        points += trial.points;
+        ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
+    }
+    EXPECT_GT(points, 100000);
+}
+
+TEST(DbvhPartPrisms, HoldEveryPointOfTheSurface) {
+    int points = 0;
+    for (unsigned seed = 0; seed < 20000; ++seed) {
+        Trial trial(seed);
+        for (int i = 0; i < 4; ++i) trial.check_part();
         points += trial.points;
         ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
     }

@@ -72,8 +72,10 @@ void check_parts(const Exemplar& exemplar, const Procedural& settings, int round
         }
         const glm::vec2 base = glm::vec2(t.base) / 512.0f;
         const float size = static_cast<float>(t.size) / 512.0f;
+        const auto half =
+            procedural_float::lattice_half(source.view(), source.data(), map, square, beyond);
         const glm::vec2 bounds =
-            procedural_float::triforce_bounds(source.view(), source.data(), map, square, beyond, base, size);
+            procedural_float::triforce_bounds(source.view(), source.data(), map, half, base, size);
         double low = 1, high = 0;
         for (int k = 0; k < 30; ++k) {
             double u = unit(random), v = unit(random);
@@ -127,10 +129,12 @@ TEST(TriforceBounds, are_tighter_than_the_whole_sources) {
     double parts = 0, small = 0;
     for (int i = 0; i < 64; ++i) {
         const ivec2 square(i % 8, i / 8);
+        const auto half =
+            procedural_double::lattice_half(source.view(), source.data(), map, square, false);
         const dvec2 whole =
-            procedural_double::triforce_bounds(source.view(), source.data(), map, square, false, {0, 0}, 1);
-        const dvec2 part = procedural_double::triforce_bounds(source.view(), source.data(), map, square,
-                                                              false, {0.25, 0.25}, 1 / 64.0);
+            procedural_double::triforce_bounds(source.view(), source.data(), map, half, {0, 0}, 1);
+        const dvec2 part = procedural_double::triforce_bounds(source.view(), source.data(), map, half,
+                                                              {0.25, 0.25}, 1 / 64.0);
         parts += (whole.y - whole.x) / 64;
         small += (part.y - part.x) / 64;
     }

@@ -6,7 +6,7 @@
 // edges are dropped before a box is made. Where the target level of detail is reached, the box itself is the hit, or a
 // local surface (leaf.glsl) is met.
 //
-// Deviations from the thesis, beside those of box.glsl and leaf.glsl:
+// Deviations from the thesis, beside those of box.glsl, part_prism.glsl and leaf.glsl:
 //  - squares lie between texel centres, where S's heights are bilinear, in place of texels;
 //  - the four roots are the children of one square that is not tested, so that one walk visits them all;
 //  - children are visited in the order of the ray: their places are mirrored so that the nearest is the first;
@@ -147,11 +147,12 @@ FUNC float edge_slack(DbvhRay r) { return 2.0f * max(r.margin.x, max(r.margin.y,
 
 // World units: what the normal's turning adds to S over a leaf, to second order. A triangle's plane goes on beyond it by as
 // much as its heights differ.
-FUNC float leaf_bend(DisplacedBox box, vec2 heights, bool plane) {
+FUNC float leaf_bend(float turn, vec2 heights, bool plane) {
     float differ = (heights.y - heights.x) * (plane ? 2.0f : 1.0f);
-    return 0.5f * box.turn * (differ + 0.5f * box.turn * max(abs(heights.x), abs(heights.y)));
+    return 0.5f * turn * (differ + 0.5f * turn * max(abs(heights.x), abs(heights.y)));
 }
 
+#include "part_prism.glsl"
 #ifndef __cplusplus  // needs a source
 #include "lattice.glsl"
 #endif
@@ -238,7 +239,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         bool last = w.level <= lowest || largest <= least;
         down = !last;
         if (last || box.turn <= kLeafTurn) {
-            float bend = leaf_bend(box, heights, leaf == kLeafTriangles);
+            float bend = leaf_bend(box.turn, heights, leaf == kLeafTriangles);
             down = !meet_leaf(p, ob, g, r, leaf, of_leaf, stride, middle, half_size, bend, last, found, hit) && !last;
         }
     }

@@ -3,7 +3,8 @@
 // side. Coordinates are lattice coordinates times range, so that the finest parts lie between whole numbers.
 //
 // Deviations from the thesis: parts beyond the triangle's edges are dropped at every depth, and the two triangles of a square
-// are bounded as such in place of the source's whole range. The leaf is not its box: it is met as S with the height linear
+// are bounded as such in place of the source's whole range; parts are not boxes but prisms over themselves
+// (part_prism.glsl). The leaf is not its box: it is met as S with the height linear
 // between the part's corners (leaf.glsl), which neighbouring parts share, so that there are no holes and normals are those
 // of S. Where a part is a texel or less the leaves are S itself but for the bend within a texel.
 #ifndef RELIEVO_DBVH_LATTICE_GLSL
@@ -84,6 +85,8 @@ FUNC bool intersect_lattice(Primitive p, ObjectData ob, float leaf, int log_rang
     q.tx1 = to_lattice(m, p.tx1) * range;
     q.tx2 = to_lattice(m, p.tx2) * range;
     Domain g = make_domain(q, primitive_normals(), greatest_displacement(ob), r.rounding);
+    PrismAxes axes = prism_axes(g, r);
+    vec2 lengths = vec2(length(g.px), length(g.py));  // of an edge
     LatticeWalk w;
     w.squares = start_walk(vec2(0.0f), g, r.d, log_range);
     w.in_square = false;
@@ -93,6 +96,10 @@ FUNC bool intersect_lattice(Primitive p, ObjectData ob, float leaf, int log_rang
     w.order = part_order(ahead);
     w.turned = ahead.x + ahead.y < 0.0f;
     enter_half(w.turned, w);
+    LatticeHalf h;
+    h.square = ivec2(0);
+    h.beyond = false;
+    h.shift0 = h.shift1 = h.shift2 = ivec2(0);
     bool found = false, down = true;
     for (int i = 0; i < kMaxBoxes; ++i) {
         if (down) lattice_down(w);
@@ -110,21 +117,28 @@ FUNC bool intersect_lattice(Primitive p, ObjectData ob, float leaf, int log_rang
         if (outside_triangle(g, middle, half_size, edge_slack(r))) continue;
         vec2 values = data.range;
         if (w.in_square) {
-            vec2 square = corner / range;
-            values = triforce_bounds(p.object, data, m, ivec2(square), w.beyond, vec2(w.part.base) / range, float(w.part.size) / range);
+            if (abs(w.part.size) == w.range) h = lattice_half(p.object, data, m, ivec2(corner / range), w.beyond);
+            values = triforce_bounds(p.object, data, m, h, vec2(w.part.base) / range, float(w.part.size) / range);
         }
         vec2 heights = displacement_range(p, ob, values, false);
-        DisplacedBox box = displaced_box(g, middle, half_size, heights);
-        vec2 span = box_span(box, r.o, r.inverse);
+        // Where the footprint cuts a part's rectangle, its half is not known any more.
+        bool cut = low.x > from.x - g.t0.x || low.y > from.y - g.t0.y || high.x < to.x - g.t0.x || high.y < to.y - g.t0.y;
+        int side = cut || !w.in_square ? 0 : (w.part.size > 0 ? 1 : -1);
+        PartPrism prism = part_prism(g, axes, middle, half_size, side, heights);
+        vec2 span = prism_span(prism, axes);
         note(kNoteStep, r.t0 + span.x, to_texels(m, from / range), 0.0f, float(abs(w.part.size)));
         if (!(span.x <= span.y && r.t0 + span.y >= r.t_min && r.t0 + span.x <= hit.t)) continue;
         bool last = w.in_square && abs(w.part.size) == 1;
-        vec3 extent = box.high - box.low;
-        if ((last && leaf == kLeafBox) || max(max(extent.x, extent.y), extent.z) <= pixel * (r.t0 + span.x)) {
+        bool tiny = false;
+        if (pixel > 0.0f) {
+            float wide = 2.0f * dot(half_size, lengths) + prism.turn * max(abs(heights.x), abs(heights.y));
+            tiny = max(wide, prism.high.w - prism.low.w) <= pixel * (r.t0 + span.x);
+        }
+        if ((last && leaf == kLeafBox) || tiny) {
             take_box(p, g, middle, r, span.x, found, hit);
         } else if (last) {
             Piece e = part_piece(p, m, corner, w.part, range);
-            LeafRoot root = solve_piece(g, ob, e, middle, half_size, r.o, r.d, r.rounding, leaf_bend(box, heights, true), true);
+            LeafRoot root = solve_piece(g, ob, e, middle, half_size, r.o, r.d, r.rounding, leaf_bend(prism.turn, heights, true), true);
             float t = r.t0 + root.t;
             note(kNoteCell, t, to_texels(m, e.origin / range), 0.0f, t);
             if (root.inside && t >= r.t_min && within_edges(root.b, r.margin)) take_hit(p, root.b, t, found, hit);
