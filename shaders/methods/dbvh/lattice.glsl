@@ -117,6 +117,7 @@ FUNC bool intersect_lattice(Primitive p, ObjectData ob, float leaf, int log_rang
         if (outside_triangle(g, middle, half_size, edge_slack(r))) continue;
         vec2 values = data.range;
         if (w.in_square) {
+            // Every half is entered as a whole first.
             if (abs(w.part.size) == w.range) h = lattice_half(p.object, data, m, ivec2(corner / range), w.beyond);
             values = triforce_bounds(p.object, data, m, h, vec2(w.part.base) / range, float(w.part.size) / range);
         }

@@ -2,8 +2,8 @@
 // 000, equations 2.6, 2.7 and 4.16), along other axes.
 //
 // Deviation from the thesis, which makes boxes: three pairs of planes stand along the part's own edges, one pair lies along
-// the triangle's plane. A lattice triangle's box, along whatever two axes, is at least twice as large as it is: the ray met
-// three times as many parts.
+// the triangle's plane. A lattice triangle's box, along whatever two axes, is at least twice as large as it is: with boxes
+// rays met twice as many parts.
 #ifndef RELIEVO_DBVH_PART_PRISM_GLSL
 #define RELIEVO_DBVH_PART_PRISM_GLSL
 
