@@ -84,7 +84,13 @@ void in_blocks(const Work& work, std::size_t count, const Each& each) {
                         work.stroke, work.mask,  work.counts_per_unit, changes[block]};
         for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) each(part, i);
     });
-    for (const auto& own : changes) work.changes.insert(work.changes.end(), own.begin(), own.end());
+    std::size_t wanted = work.changes.size();
+    for (const auto& own : changes) wanted += own.size();
+    work.changes.reserve(wanted);
+    for (auto& own : changes) {
+        work.changes.insert(work.changes.end(), own.begin(), own.end());
+        std::vector<TexelChange>().swap(own);  // of a large dab, many megabytes
+    }
 }
 
 void draw(const Work& work);
