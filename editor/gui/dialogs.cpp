@@ -113,7 +113,15 @@ void draw_recovery(Desk& desk) {
             ImGui::CloseCurrentPopup();
         }
         ImGui::SameLine();
-        if (dialog_button("Throw away")) gone = i;
+        // Asked twice, and nothing is lost by a double click.
+        bool& sure = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("sure"));
+        if (!sure) {
+            sure = dialog_button("Throw away...");
+        } else {
+            if (dialog_button("Keep")) sure = false;
+            ImGui::SameLine();
+            if (dialog_button("Yes, throw the edits away")) gone = i;
+        }
         ImGui::PopID();
         ImGui::Spacing();
     }

@@ -1,7 +1,5 @@
 // Painting in a session: journal and replay, saving beside the heights, recovery, and what is refused.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -244,25 +242,24 @@ TEST_F(PaintSession, AJournalKnowsTheColourMapThatItBeganWith) {
 }
 
 TEST_F(PaintSession, AKillAfterSavingBringsHeightsAndColoursBack) {
-    const fs::path scene = painted_scene(folder_.path(), 8);
+    const fs::path scene = at("scene.json");
     SessionOptions options = headless();
     options.recovery = true;
-    std::uint64_t wanted = 0;
-    {
-        Session session(scene, headless());
-        paint(session, 1);
-        paint(session, 3, Paint::colour);
-        wanted = session.colours()->hash();
-    }
-    const pid_t child = fork();
-    if (child == 0) {
-        Session session(scene, options);
+    test::run_forked([&] {
+        Session session(painted_scene(folder_.path(), 8), options);
         paint(session, 1);
         session.save(at("map.tif"));
         paint(session, 3, Paint::colour);
         std::raise(SIGKILL);
+    });
+    std::uint64_t wanted = 0;
+    {
+        const test::TemporaryFolder unsaved;
+        Session session(painted_scene(unsaved.path(), 8), headless());
+        paint(session, 1);
+        paint(session, 3, Paint::colour);
+        wanted = session.colours()->hash();
     }
-    waitpid(child, nullptr, 0);
     const auto found = find_abandoned_journals();
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].base_colours.extension(), ".png");

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -22,7 +21,8 @@ class Recovery : public testing::Test {
   protected:
     Recovery() {
         setenv("XDG_STATE_HOME", folder_.path().c_str(), 1);
-        scene_ = test::write_scene(folder_.path());
+        EXPECT_EQ(test::run_forked([&] { test::write_scene(folder_.path()); }), 0);
+        scene_ = folder_.path() / "scene.json";
     }
 
     static SessionOptions recovering() {
@@ -33,14 +33,11 @@ class Recovery : public testing::Test {
 
     // Runs `work` in another process, which ends by kill -9.
     void run_killed(const std::function<void(Session&)>& work) {
-        const pid_t child = fork();
-        if (child == 0) {
+        const int status = test::run_forked([&] {
             Session session(scene_, recovering());
             work(session);
             std::raise(SIGKILL);
-        }
-        int status = 0;
-        waitpid(child, &status, 0);
+        });
         ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
     }
 
@@ -128,21 +125,20 @@ TEST_F(Recovery, EraseGoesToTheSaveOfTheKilledSession) {
         session.brush().erase_to = EraseTo::saved;
         sculpt(session, 1, 9, Tool::erase);
     };
-    std::uint64_t wanted = 0;
-    {
-        const std::string start = test::read_text(folder_.path() / "map.tif");
-        Session session(scene_, test::headless());
-        sculpt(session, 1);
-        session.save(folder_.path() / "map.tif");
-        erase(session);
-        wanted = session.map().hash();
-        test::write_text(folder_.path() / "map.tif", start);
-    }
     run_killed([&](Session& session) {
         sculpt(session, 1);
         session.save(folder_.path() / "map.tif");
         erase(session);
     });
+    std::uint64_t wanted = 0;
+    {
+        const TemporaryFolder alive;
+        Session session(test::write_scene(alive.path()), test::headless());
+        sculpt(session, 1);
+        session.save(alive.path() / "map.tif");
+        erase(session);
+        wanted = session.map().hash();
+    }
     const auto found = find_abandoned_journals();
     ASSERT_EQ(found.size(), 1u);
     SessionOptions options = test::headless();

@@ -1,6 +1,7 @@
 // A folder of its own for each test, and a small scene in it.
 #include "tests/session/test_scene.h"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -72,6 +73,17 @@ fs::path write_scene(const fs::path& folder, bool new_map) {
                    R"(, "amplitude": 0.2, "midlevel": 0.5}}],
  "image": {"width": 64, "height": 48, "spp": 2}})");
     return folder / "scene.json";
+}
+
+int run_forked(const std::function<void()>& work) {
+    const pid_t child = fork();
+    if (child == 0) {
+        work();
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return status;
 }
 
 SessionOptions headless() {

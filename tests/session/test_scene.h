@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "brushes/brush.h"
@@ -27,6 +28,10 @@ std::string read_text(const std::filesystem::path& path);
 // Writes sheet.obj, map.tif (unless `new_map`: the scene then names none) and scene.json. Returns the scene's
 // path.
 std::filesystem::path write_scene(const std::filesystem::path& folder, bool new_map = false);
+
+// Runs `work` in another process that ends behind it; returns waitpid's status. To read or write images starts
+// threads, which a fork leaves out with whatever locks they hold: who forks does so in children alone, before.
+int run_forked(const std::function<void()>& work);
 
 SessionOptions headless();
 
