@@ -58,7 +58,7 @@ struct Brush {
     Paint paint = Paint::height;
     float red = 0.8f, green = 0.3f, blue = 0.2f;  // sRGB-encoded, as the colour map holds them, [0, 1]
     EraseTo erase_to = EraseTo::midlevel;         // of the erase tool
-    FalloffCurve falloff_curve{};                   // of the custom falloff
+    FalloffCurve falloff_curve{};                 // of the custom falloff
     bool operator==(const Brush&) const = default;
 };
 
