@@ -81,7 +81,8 @@ namespace {
 // The changes that copies want of one row, in the copies' order: each texel gets what they want together.
 void apply_row(std::vector<TexelChange>& row, bool add_up, StrokeTiles& stroke) {
     const auto by_column = [](const TexelChange& a, const TexelChange& b) { return a.x < b.x; };
-    if (!std::is_sorted(row.begin(), row.end(), by_column)) std::stable_sort(row.begin(), row.end(), by_column);
+    if (!std::is_sorted(row.begin(), row.end(), by_column))
+        std::stable_sort(row.begin(), row.end(), by_column);
     for (std::size_t i = 0; i < row.size();) {
         const TexelChange first = row[i];
         double sum = 0;

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "brushes/copy_shares.h"
 #include "brushes/dab_tools.h"
 #include "brushes/mask_blur.h"
 #include "brushes/paint_stroke.h"
@@ -166,55 +167,19 @@ void Sculptor::State::apply(const Dab& dab, Points copies, Points sources) {
     last_drag = to;
 }
 
-namespace {
-
-// The hand, or a copy, in world space.
-struct Moving {
-    glm::dvec3 centre;
-    glm::dvec3 motion;  // from the last dab; 0: none
-};
-
-// 1 for copies that move the same way, or not at all; 0 for those that cross each other, or meet.
-double agreement(const glm::dvec3& a, const glm::dvec3& b) {
-    const double lengths = glm::length(a) * glm::length(b);
-    return lengths > 0 ? std::clamp(glm::dot(a, b) / lengths, 0.0, 1.0) : 1.0;
-}
-
-// Copies that lie on one another and move the same way do together what one does: each takes the share of the
-// strength that is left when the overlap of the balls, along the line between their centres, is divided among
-// them. Those that cross each other cover ground of their own before and behind: to share it there would
-// leave a groove along the plane of a mirror.
-std::vector<float> shares(const std::vector<Moving>& all, double radius) {
-    std::vector<float> parts;
-    for (const Moving& a : all) {
-        double overlap = 0;
-        for (const Moving& b : all)
-            overlap += std::max(0.0, 1.0 - glm::length(a.centre - b.centre) / (2.0 * radius)) *
-                       agreement(a.motion, b.motion);
-        parts.push_back(static_cast<float>(1.0 / std::max(overlap, 1.0)));
-    }
-    return parts;
-}
-
-// Tools whose copies share only where they move the same way. The others carry texels along or press whole
-// images, which must not be done twice.
-constexpr ToolSet kShareByMotion = tool_set({Tool::draw, Tool::inflate, Tool::noise, Tool::crease});
-
-}  // namespace
-
 void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, glm::vec3 drag) {
     constexpr float kJump = 2.0f;  // radii between dabs beyond which the hand has jumped
     const float radius = brush.radius * (static_cast<float>(dab.size) / static_cast<float>(Dab::kSizeOne));
     const float pressure =
         std::min(static_cast<float>(dab.pressure) / static_cast<float>(Dab::kPressureOne), 1.0f);
     std::vector<SurfacePoint> centres;
-    std::vector<Moving> places;
+    std::vector<MovingCopy> places;
     for (std::size_t i = 0; i < branches.size(); ++i) {
         const FacePoint point = i == 0 ? FacePoint{dab.face, dab.b1, dab.b2} : copies[i - 1];
         centres.push_back(seen(branches[i], point));
         const glm::dvec3 place(seen({}, point).position);
         glm::dvec3 motion(0);
-        if (const auto& last = branches[i].last_in_world; last && holds(kShareByMotion, brush.tool))
+        if (const auto& last = branches[i].last_in_world; last && shares_by_motion(brush.tool))
             motion = place - *last;
         branches[i].last_in_world = place;
         places.push_back({place, motion});
@@ -231,8 +196,9 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
     if (!sculpts(brush)) return;
     const bool add_up = adds_up(brush);
     const std::vector<float> share =
-        add_up ? shares(places, double{radius}) : std::vector<float>(branches.size(), 1.0f);
-    std::vector<std::vector<TexelChange>> wanted(branches.size());  // each reads the stroke as the last dab left it
+        add_up ? copy_shares(places, double{radius}) : std::vector<float>(branches.size(), 1.0f);
+    // Each reads the stroke as the last dab left it.
+    std::vector<std::vector<TexelChange>> wanted(branches.size());
     share_work(branches.size(), [&](std::size_t i) {
         Branch& branch = branches[i];
         glm::vec3 motion = branch.last_place ? centres[i].position - *branch.last_place : glm::vec3(0);

@@ -134,8 +134,8 @@ void App::note_traced() {
 }
 
 void App::wait_for_input() {
-    const bool busy = !live_.idle() || pointer_.busy() || pointer_stale_ || !window_->events().empty() || frames_due_ > 0 ||
-                      desk_.view.wanted != Dialog::none;
+    const bool busy = !live_.idle() || pointer_.busy() || pointer_stale_ || !window_->events().empty() ||
+                      frames_due_ > 0 || desk_.view.wanted != Dialog::none;
     if (busy) {
         window_->poll();
     } else {
@@ -161,8 +161,9 @@ bool App::picture_free_at(double x, double y) const {
 void App::skip_to_escape() {
     using Kind = InputEvent::Kind;
     auto& events = window_->events();
-    const auto end = std::find_if(events.begin(), events.end(),
-                                  [](const InputEvent& e) { return e.kind == Kind::press || e.kind == Kind::key; });
+    const auto end = std::find_if(events.begin(), events.end(), [](const InputEvent& e) {
+        return e.kind == Kind::press || e.kind == Kind::key;
+    });
     if (end == events.end() || end->kind != Kind::key || end->code != GLFW_KEY_ESCAPE) return;
     pointer_.cancel();
     events.erase(events.begin(), end + 1);

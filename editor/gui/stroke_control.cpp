@@ -11,7 +11,8 @@
 namespace relievo::gui {
 namespace {
 
-// Texels that draw would visit at every dab: about a second on two cores, in which the window stands still, and 200 MB.
+// Texels that draw would visit at every dab: about a second on two cores, in which the window stands still,
+// and 200 MB.
 constexpr double kMostWork = 8e6;
 
 // A stroke that starts beside the object is judged by the first face.
@@ -20,9 +21,7 @@ void refuse_heavy(const Session& session, const Brush& brush, const PickHit& hit
     if (surface.face_count() == 0) return;
     constexpr float kThird = 1.0f / 3.0f;
     const bool on_it = hit.hit && hit.object == 0;
-    const SurfacePoint centre =
-        on_it ? surface.at(hit.face, static_cast<float>(hit.b1), static_cast<float>(hit.b2))
-              : surface.at(0, kThird, kThird);
+    const SurfacePoint centre = on_it ? surface.at(hit.face, hit.b1, hit.b2) : surface.at(0, kThird, kThird);
     const DabCost cost = dab_cost(brush, centre, surface);
     if (!(cost.work > kMostWork)) return;
     const std::string texels = std::to_string(cost.texels / 1000) + " thousand texels";

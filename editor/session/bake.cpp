@@ -2,13 +2,11 @@
 #include "editor/session/bake.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
-#include <vector>
 
+#include "brushes/shared_work.h"
 #include "editor/session/text.h"
 
 namespace relievo {
@@ -30,25 +28,18 @@ ImageSize bake_size(const Procedural& settings, int exemplar_width, int exemplar
 
 HeightMap bake(const ProceduralSource& source, const ImageSize& size, const std::function<void(int)>& progress) {
     HeightMap map(size.width, size.height);
-    std::atomic<int> next{0};
     std::mutex mutex;
     int finished = 0;
-    const auto work = [&] {
-        for (int y = next++; y < size.height; y = next++) {
-            for (int x = 0; x < size.width; ++x) {
-                const glm::dvec2 uv((x + 0.5) / size.width, (y + 0.5) / size.height);
-                map.set(x, y, static_cast<std::uint16_t>(std::lround(65535 * source.value(source.texel_at(uv)))));
-            }
-            const std::lock_guard lock(mutex);
-            ++finished;
-            if (progress) progress(finished);
+    share_work(static_cast<std::size_t>(size.height), [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < size.width; ++x) {
+            const glm::dvec2 uv((x + 0.5) / size.width, (y + 0.5) / size.height);
+            map.set(x, y, static_cast<std::uint16_t>(std::lround(65535 * source.value(source.texel_at(uv)))));
         }
-    };
-    {
-        std::vector<std::jthread> helpers;
-        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) helpers.emplace_back(work);
-        work();
-    }
+        const std::lock_guard lock(mutex);
+        ++finished;
+        if (progress) progress(finished);
+    });
     return map;
 }
 

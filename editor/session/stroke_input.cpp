@@ -138,7 +138,12 @@ bool StrokeInput::work_on() {
         arrive(*std::exchange(arrival_, std::nullopt));
         return true;
     }
-    if (!ends_ || !waiting_) return false;
+    return ends_ && place_waiting();
+}
+
+// The first dab of a stamp that has waited for a direction until now; false where none waits.
+bool StrokeInput::place_waiting() {
+    if (!waiting_) return false;
     place({{*std::exchange(waiting_, std::nullopt), trail_.direction()}});
     return true;
 }
@@ -149,10 +154,7 @@ bool StrokeInput::place_timed() {
     const double period_us = 1e6 / static_cast<double>(settings_.rate);
     const auto due = static_cast<std::uint64_t>(static_cast<double>(timed_dabs_) * period_us);
     if (start_us_ + due > rested_until_us_) return false;
-    if (waiting_) {
-        place({{*std::exchange(waiting_, std::nullopt), trail_.direction()}});
-        return true;
-    }
+    if (place_waiting()) return true;
     ++timed_dabs_;
     PointerEvent at = last_->at;
     at.time_us = start_us_ + due;

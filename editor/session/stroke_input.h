@@ -7,8 +7,8 @@
 // The grab tool does not walk: its dabs stay where the hand took hold, and carry how far the pointer has
 // drawn it in the plane across the view.
 //
-// Work may be cut short: a brush that is heavy for the machine makes one event's dabs take seconds, and a window
-// must not wait for them. What is left over goes on later, to the same dabs.
+// Work may be cut short: a brush that is heavy for the machine makes one event's dabs take seconds, and a
+// window must not wait for them. What is left over goes on later, to the same dabs.
 //
 // The dabs of a stamp carry where the image's right is to lie: along the picture's right, or along the
 // stroke. In the latter case the first dab of a stroke, or of a part of it behind a gap, waits until there is
@@ -81,6 +81,7 @@ class StrokeInput {
     std::vector<Sample> pick_along(const std::vector<PointerEvent>& points) const;
     bool work_on();
     bool place_timed();
+    bool place_waiting();
     void arrive(const Arrival& arrival);
     void stretch_to(const PointerEvent& to);
     void walk(const Sample& next, std::vector<Due>& dabs);

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 
 #include "editor/session/replay.h"
 #include "tests/session/test_scene.h"
@@ -45,6 +46,15 @@ class Recovery : public testing::Test {
         Session session(scene_, test::headless());
         work(session);
         return session.map().hash();
+    }
+
+    // What a restart without a recovery journal of its own would show.
+    std::unique_ptr<Session> restored(const AbandonedJournal& found) const {
+        SessionOptions options = test::headless();
+        options.map = found.base_map;
+        auto session = std::make_unique<Session>(scene_, options);
+        replay(read_journal(found.journal), *session);
+        return session;
     }
 
     TemporaryFolder folder_;
@@ -112,11 +122,7 @@ TEST_F(Recovery, AKillAfterSavingOverTheMapReplaysOnTheOldOne) {
     }
     const auto again = find_abandoned_journals();  // that session ended with work unsaved
     ASSERT_EQ(again.size(), 1u);
-    SessionOptions options = test::headless();
-    options.map = again[0].base_map;
-    Session session(scene_, options);
-    replay(read_journal(again[0].journal), session);
-    EXPECT_EQ(session.map().hash(), wanted);
+    EXPECT_EQ(restored(again[0])->map().hash(), wanted);
 }
 
 TEST_F(Recovery, EraseGoesToTheSaveOfTheKilledSession) {
@@ -141,14 +147,11 @@ TEST_F(Recovery, EraseGoesToTheSaveOfTheKilledSession) {
     }
     const auto found = find_abandoned_journals();
     ASSERT_EQ(found.size(), 1u);
-    SessionOptions options = test::headless();
-    options.map = found[0].base_map;
-    Session session(scene_, options);
-    replay(read_journal(found[0].journal), session);
-    EXPECT_EQ(session.map().hash(), wanted);
-    session.brush().strength = 1;
-    sculpt(session, 1, 9, Tool::erase);
-    EXPECT_NE(session.map().hash(), wanted) << "and goes on from there";
+    const auto session = restored(found[0]);
+    EXPECT_EQ(session->map().hash(), wanted);
+    session->brush().strength = 1;
+    sculpt(*session, 1, 9, Tool::erase);
+    EXPECT_NE(session->map().hash(), wanted) << "and goes on from there";
 }
 
 TEST_F(Recovery, AKillWithNothingUnsavedOffersNothing) {
@@ -205,9 +208,7 @@ TEST_F(Recovery, AStampIsRestoredThoughItsImageIsGoneAndNothingOfItStaysBehind) 
     run_killed(stamp);
     const auto found = find_abandoned_journals();
     ASSERT_EQ(found.size(), 1u);
-    Session session(scene_, test::headless());
-    replay(read_journal(found[0].journal), session);
-    EXPECT_EQ(session.map().hash(), hash_after(stamp));
+    EXPECT_EQ(restored(found[0])->map().hash(), hash_after(stamp));
     remove_recovery(found[0].journal);
     EXPECT_TRUE(std::filesystem::is_empty(recovery_folder()));
 }

@@ -106,8 +106,7 @@ class BallQuery {
         const NearFace near{face, x0, y0, gradient(triangle, p, origin), gradient(triangle, n, origin)};
         const auto slot = static_cast<std::uint32_t>(faces_.size());
         const std::size_t runs_before = runs_.size();
-        const TexelSpan rows =
-            rows_in_reach(near, clipped(triangle.rows(), s_.grid_.height, s_.grid_.wrap));
+        const TexelSpan rows = rows_in_reach(near, clipped(triangle.rows(), s_.grid_.height, s_.grid_.wrap));
         for (std::int64_t y = rows.first; y <= rows.last; ++y) {
             const std::optional<TexelSpan> reached = columns_in_reach(near, y);
             if (!reached) continue;
@@ -138,8 +137,8 @@ class BallQuery {
         return line;
     }
 
-    // Those of `rows` that come near enough anywhere: where q(y) = min over x |start(y) + x step|^2 is at most
-    // reach^2. `start` moves linearly with y, so that q is a square function of it.
+    // Those of `rows` that come near enough anywhere: where q(y) = min over x |start(y) + x step|^2 is at
+    // most reach^2. `start` moves linearly with y, so that q is a square function of it.
     TexelSpan rows_in_reach(const NearFace& near, TexelSpan rows) const {
         if (rows.last - rows.first < 4) return rows;
         const RowLine first = row_line(near, rows.first), last = row_line(near, rows.last);
@@ -154,7 +153,9 @@ class BallQuery {
         if (!(p > 1e-8 * a * glm::dot(dy, dy)) || !std::isfinite(root)) return rows;
         const double middle = -q / p, half = std::sqrt(std::max(0.0, root)) / p;
         const auto count = static_cast<double>(rows.last - rows.first);
-        const auto row = [&](double y) { return rows.first + static_cast<std::int64_t>(std::clamp(y, -1.0, count + 1)); };
+        const auto row = [&](double y) {
+            return rows.first + static_cast<std::int64_t>(std::clamp(y, -1.0, count + 1));
+        };
         return {std::max(rows.first, row(std::floor(middle - half) - 1)),
                 std::min(rows.last, row(std::ceil(middle + half) + 1))};
     }
