@@ -120,7 +120,10 @@ void draw_recovery(Desk& desk) {
         } else {
             if (dialog_button("Keep")) sure = false;
             ImGui::SameLine();
-            if (dialog_button("Yes, throw the edits away")) gone = i;
+            if (dialog_button("Yes, throw away")) {
+                gone = i;
+                sure = false;  // the next journal takes this one's place, and its state
+            }
         }
         ImGui::PopID();
         ImGui::Spacing();
