@@ -3,6 +3,7 @@
 Where other programs take the processor meanwhile, the times are printed and the test counts as skipped.
 """
 import argparse
+import glob
 import json
 import math
 import os
@@ -123,17 +124,25 @@ def idle_takes_no_processor_time(options, folder):
         window.hands.move(250, 200)
         window.hands.tap("v")  # a view that is traced once, and then rests
 
-        def rests():
-            before = used_ms(window.editor.process)
-            time.sleep(1)
-            return used_ms(window.editor.process) == before
+        # The kernel's sum over the threads, as a tick of the usual clock is longer than what a frame a second takes.
+        def run_ms():
+            total = 0
+            for path in glob.glob(f"/proc/{window.editor.process.pid}/task/*/schedstat"):
+                with open(path) as file:
+                    total += int(file.read().split()[0])
+            return total / 1e6
 
-        wait_for("the program to rest", rests)
-        before = used_ms(window.editor.process)
+        def rests():
+            before = run_ms()
+            time.sleep(1)
+            return run_ms() - before < 1
+
+        wait_for("the program to rest", rests)  # a toast that is shown keeps it drawing
+        before = run_ms()
         time.sleep(4)
-        used = used_ms(window.editor.process) - before
-        print(f"{used} ms of processor time in 4 s")
-        assert used <= 10, f"{used} ms of processor time in 4 s"
+        used = run_ms() - before
+        print(f"{used:.2f} ms of processor time in 4 s")
+        assert used <= 5, f"{used} ms of processor time in 4 s"
         window.editor.screenshot()  # and it wakes up
     finally:
         window.close()
