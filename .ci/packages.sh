@@ -8,7 +8,7 @@ relievo_build_packages=(
     "g++ cmd:g++" "cmake cmd:cmake" "ninja-build cmd:ninja" "pkg-config cmd:pkg-config" "ccache cmd:ccache"
     "glslang-tools cmd:glslangValidator"
     "libvulkan-dev file:vulkan/vulkan.h" "libglfw3-dev file:GLFW/glfw3.h" "libimgui-dev file:imgui/imgui.h"
-    "libxi-dev file:X11/extensions/XInput2.h"
+    "spirv-headers file:spirv/unified1/spirv.hpp" "libxi-dev file:X11/extensions/XInput2.h"
     "libglm-dev file:glm/glm.hpp" "libopenimageio-dev file:OpenImageIO/imageio.h"
     "openimageio-tools cmd:iconvert"  # named by the CMake files of libopenimageio-dev
     "python3-imath file:Imath/half.h" "libopenmesh-dev file:OpenMesh/Core/System/config.h"

@@ -68,6 +68,7 @@ void check_render_output(const std::filesystem::path& path, const std::vector<La
 }
 
 double render_samples(Renderer& renderer, int spp, const Progress& progress) {
+    renderer.render({0, 0, 1, 1}, Quality::preview);  // compiles, which is no sample's time
     renderer.restart();
     double spent_ms = 0;
     for (int done = 0; done < spp; ++done) {

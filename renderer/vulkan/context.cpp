@@ -96,6 +96,10 @@ VkInstance make_instance(bool validation, bool for_window) {
     return instance;
 }
 
+// The loader unloads the drivers with the last instance, and NVIDIA's can be loaded into a process only 30 times (seen
+// with version 580): an instance that nobody uses keeps them loaded.
+void keep_drivers_loaded() { [[maybe_unused]] static const VkInstance kept = make_instance(false, false); }
+
 std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
     std::uint32_t count = 0;
     if (vkEnumeratePhysicalDevices(instance, &count, nullptr) != VK_SUCCESS) return {};
@@ -255,6 +259,7 @@ std::vector<DeviceInfo> list_devices() {
     std::vector<DeviceInfo> list;
     VkInstance instance = VK_NULL_HANDLE;
     try {
+        keep_drivers_loaded();
         instance = make_instance(false, false);
     } catch (const std::runtime_error&) {
         return list;  // no loader or no driver: no devices
@@ -267,6 +272,7 @@ std::vector<DeviceInfo> list_devices() {
 
 Context::Context(const ContextOptions& options) {
     const bool validation = options.validation || asked_by_environment("RELIEVO_VALIDATION");
+    keep_drivers_loaded();
     instance_ = make_instance(validation, options.for_window);
     try {
         if (validation) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "renderer/vulkan/contraction.h"
 #include "renderer/vulkan/functions.h"
 
 namespace relievo::vulkan {
@@ -37,10 +38,11 @@ std::uint32_t round_up(std::uint32_t value, std::uint32_t step) {
 }
 
 ShaderHandle module(const Context& context, std::string_view method, std::string_view file) {
-    const auto code = shader_code(method, file);
-    if (code.empty()) throw std::runtime_error("no shader '" + std::string(file) + "' in this build");
-    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, nullptr, 0, code.size_bytes(),
-                                  code.data()};
+    const auto given = shader_code(method, file);
+    if (given.empty()) throw std::runtime_error("no shader '" + std::string(file) + "' in this build");
+    const auto code = without_contraction(given);
+    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, nullptr, 0,
+                                  code.size() * sizeof(std::uint32_t), code.data()};
     VkShaderModule shader = VK_NULL_HANDLE;
     check(vkCreateShaderModule(context.device(), &info, nullptr, &shader), "creating a shader module");
     return {context.device(), shader};

@@ -85,15 +85,17 @@ std::vector<TracePath> other_paths() {
     return paths;
 }
 
-// Compares each pixel with the map at the pixel's uv. Filter weights have at least 8 bits.
+// Compares each pixel with the map at the pixel's uv. Filter weights have at least 8 bits; a GPU cuts them off there,
+// along both axes, where the colours are up to 0.9 apart (0.0082 on an NVIDIA H100).
 void expect_colours(const std::vector<float>& image, const std::vector<float>& white,
                     const std::vector<float>& uv, const TestColours& colours, bool clamp) {
     int seen = 0;
+    const double filter = device().info().is_cpu ? 0.006 : 0.009;
     for (std::size_t i = 0; i < uv.size() / 2; ++i) {
         if (white[4 * i + 3] == 0 || white[4 * i] < 0.05f) continue;
         const glm::dvec3 expected = colours.at({double{uv[2 * i]}, double{uv[2 * i + 1]}}, clamp);
         for (std::size_t k = 0; k < 3; ++k)
-            ASSERT_NEAR(image[4 * i + k] / white[4 * i + k], expected[static_cast<int>(k)], 0.006)
+            ASSERT_NEAR(image[4 * i + k] / white[4 * i + k], expected[static_cast<int>(k)], filter)
                 << "uv " << uv[2 * i] << ", " << uv[2 * i + 1];
         ++seen;
     }
@@ -129,7 +131,7 @@ TEST_P(Albedo, AllWaysOfTracingGiveEqualImages) {
     for (const TracePath path : other_paths()) {
         settings.path = path;
         Renderer other = painted(scene, map, colours, settings);
-        EXPECT_EQ(beauty(other), expected) << trace_path_words(path);
+        EXPECT_TRUE(same_image(beauty(other), expected)) << trace_path_words(path);
     }
 }
 
@@ -140,9 +142,9 @@ TEST_P(Albedo, SpecialisedImageEqualsEverythingOn) {
     RenderSettings lean = settings_of(scene), all = lean;
     all.everything = true;
     Renderer a = painted(scene, map, colours, lean), b = painted(scene, map, colours, all);
-    EXPECT_TRUE(beauty(a) == beauty(b)) << "with a map";
+    EXPECT_TRUE(same_image(beauty(a), beauty(b))) << "with a map";
     Renderer c = make_renderer(scene, map, lean), d = make_renderer(scene, map, all);
-    EXPECT_TRUE(beauty(c) == beauty(d)) << "without one";
+    EXPECT_TRUE(same_image(beauty(c), beauty(d))) << "without one";
 }
 
 TEST(AlbedoUpload, IsWhatAFreshRendererShows) {

@@ -91,7 +91,7 @@ TEST_P(SampleScenes, SpecialisedImageEqualsEverythingOn) {
                 images[everything ? 1 : 0].push_back(renderer.read_back(layer));
         }
         for (std::size_t i = 0; i < images[0].size(); ++i)
-            EXPECT_TRUE(images[0][i] == images[1][i]) << "layer " << i;
+            EXPECT_TRUE(same_image(images[0][i], images[1][i])) << "layer " << i;
     }
 }
 

@@ -11,6 +11,7 @@ namespace relievo {
 namespace {
 
 constexpr int kMostRounds = 15, kFewRounds = 3, kEditRounds = 3;
+constexpr double kWarmUpSeconds = 0.5;
 constexpr int kEditSize = 256;          // texels a side
 constexpr std::uint16_t kRaise = 2000;  // of the counts in it
 
@@ -111,10 +112,12 @@ int time_frames(MethodRenderers& renderers, const std::vector<TimedPoint>& point
     };
     double round_seconds = seconds_a_round(points);
     if (rounds_left(round_seconds) > 1) {
-        Stopwatch watch;
         tell(0, std::min(rounds_left(round_seconds), kMostRounds));
-        time_round(renderers, points, 0, false);
-        round_seconds = watch.lap_ms() * 1e-3;
+        for (double warmed = 0; warmed < kWarmUpSeconds && rounds_left(round_seconds) > 1; warmed += round_seconds) {
+            Stopwatch watch;
+            time_round(renderers, points, 0, false);
+            round_seconds = watch.lap_ms() * 1e-3;
+        }
     }
     int done = 0;
     while (done < kMostRounds && (done == 0 || rounds_left(round_seconds) > 0)) {

@@ -25,8 +25,8 @@ using TellRound = std::function<void(int round, int rounds)>;
 // first point stays.
 void fit_points(std::vector<TimedPoint>& points, double seconds, std::vector<std::string>& cut);
 
-// One warm-up round, then as many as the budget has time for, up to a limit; one at least. Returns their
-// number.
+// Warm-up rounds for half a second, as the clock of a GPU that rested rises with its work; then as many as the
+// budget has time for, up to a limit; one at least. Returns their number.
 int time_frames(MethodRenderers& renderers, const std::vector<TimedPoint>& points, const Budget& budget,
                 double kept_seconds, const TellRound& tell);
 
