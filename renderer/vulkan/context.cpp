@@ -120,14 +120,14 @@ std::string driver_text(const VkPhysicalDeviceDriverProperties& driver) {
     return text;
 }
 
-// The tree of our own reads its nodes by address, and everything reads scalar blocks.
+// The tree of our own reads its nodes by address, two words at a time, and everything reads scalar blocks.
 bool has_features(VkPhysicalDevice device) {
     VkPhysicalDeviceVulkan12Features v12{};
     v12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v12, {}};
     vkGetPhysicalDeviceFeatures2(device, &features);
     return v12.bufferDeviceAddress == VK_TRUE && v12.scalarBlockLayout == VK_TRUE && v12.descriptorIndexing == VK_TRUE &&
-           v12.shaderSampledImageArrayNonUniformIndexing == VK_TRUE;
+           v12.shaderSampledImageArrayNonUniformIndexing == VK_TRUE && features.features.shaderInt64 == VK_TRUE;
 }
 
 // Measured on lavapipe, a processor: the tree of our own takes 0.6 to 0.7 of the ray query's time, and the pipeline more.
@@ -139,7 +139,7 @@ TracePath best_path(const DeviceInfo& info) {
 
 std::string verdict(const DeviceInfo& info, bool version) {
     if (!version) return "not usable: it speaks less than Vulkan 1.2";
-    if (!info.usable) return "not usable: it lacks buffer addresses, scalar blocks or indexed descriptors";
+    if (!info.usable) return "not usable: it lacks buffer addresses, scalar blocks, indexed descriptors or 64-bit integers";
     if (info.is_cpu)
         return "usable: traces by the program's own BVH in compute shaders, the fastest way on a processor";
     if (info.ray_query) return "usable: traces by ray query in compute shaders, the fastest way on a GPU";
@@ -243,6 +243,9 @@ VkDevice make_device(VkPhysicalDevice physical, std::uint32_t family, const Devi
     create.pQueueCreateInfos = &queue;
     create.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     create.ppEnabledExtensionNames = extensions.data();
+    VkPhysicalDeviceFeatures plain{};
+    plain.shaderInt64 = VK_TRUE;
+    create.pEnabledFeatures = &plain;
     VkDevice device = VK_NULL_HANDLE;
     check(vkCreateDevice(physical, &create, nullptr, &device), "opening the Vulkan device");
     return device;

@@ -1,12 +1,7 @@
 // Tracing through the program's own tree of boxes (renderer/wide_bvh.h), for processors: their drivers' trees are worse,
-// and so is what they make of a ray query. Nodes are read by address: where lanes part, that is one gather a word, an
-// indexed storage buffer is a loop over the lanes.
-#extension GL_EXT_buffer_reference : require
-#extension GL_EXT_buffer_reference_uvec2 : require
+// and so is what they make of a ray query.
 #include "bindings.glsl"
 #include "compute.glsl"
-
-layout(buffer_reference, scalar, buffer_reference_align = 64) readonly buffer BvhNodes { BvhNode at[]; };
 
 const float kNotMet = 1e38;
 
@@ -65,13 +60,12 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
     best.primitive = kNoHit;
     best.t = t_max;
     best.b = vec2(0.0);
-    BvhNodes nodes = BvhNodes(frame.bvh);
     vec3 inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
     waiting_count = 0;
     uint next = 0u;
     while (true) {
         while (next < kBvhLeaf) {
-            BvhNode n = nodes.at[next];
+            BvhNode n = load_node(next);
             vec4 k = child_entries(n, origin, inverse, t_min, best.t);
             uvec4 c = n.child;
             order(k.x, k.y, c.x, c.y);

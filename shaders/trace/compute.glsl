@@ -1,5 +1,5 @@
 // What the two ways of tracing in compute shaders share: a primitive's test, and how invocations lie over pixels.
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Primitives { Primitive at[]; };
+#include "wide_loads.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -13,11 +13,9 @@ int invocation_index() { return int(gl_GlobalInvocationID.x); }
 
 // Meets the primitive behind a box that the ray meets. Of equally near hits the least index wins, in whatever order boxes come;
 // and a method's answer does not depend on best.t, but for being beyond it.
-// The primitive is read by address: lavapipe makes one gather a word of that, and of a storage buffer a loop over lanes
-// (measured: 11 to 15% of the frame).
 bool test_box(uint box, vec3 origin, vec3 direction, float t_min, uint pixel, inout TraceHit best) {
     uint id = primitive_of_box(box);
-    Primitive p = Primitives(frame.primitives).at[id];
+    Primitive p = load_primitive(id);
     SurfaceHit hit;
     begin_notes(id, box);
     float random = random_at(pixel, push.sample_index, id);

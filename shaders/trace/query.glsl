@@ -1,7 +1,5 @@
 // Tracing by ray query: the loop over the boxes that the ray meets, each answered by the method.
 #extension GL_EXT_ray_query : require
-#extension GL_EXT_buffer_reference : require
-#extension GL_EXT_buffer_reference_uvec2 : require
 #include "bindings.glsl"
 #include "compute.glsl"
 
