@@ -57,6 +57,9 @@ VkDebugUtilsMessengerCreateInfoEXT messenger_info() {
     return info;
 }
 
+// Five passes for each of two panes, and those of the methods before; comparing sweeps all methods.
+constexpr std::size_t kProgramsOfWindow = 20, kProgramsOfRun = 64;
+
 VkInstance make_instance(bool validation, bool for_window) {
     VkApplicationInfo app{VK_STRUCTURE_TYPE_APPLICATION_INFO, nullptr, "relievo", 1, "relievo", 1,
                           VK_API_VERSION_1_2};
@@ -302,7 +305,7 @@ Context::Context(const ContextOptions& options) {
     }
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
     load_functions(device_);
-    programs_ = std::make_unique<Programs>();
+    programs_ = std::make_unique<Programs>(options.for_window ? kProgramsOfWindow : kProgramsOfRun);
 }
 
 Context::~Context() { release(); }

@@ -139,7 +139,7 @@ std::shared_ptr<const Program> Programs::get(const Context& context, VkPipelineL
     else
         make_compute(context, layout, key, *program);
     kept_.push_front({key, program});
-    if (kept_.size() > kMost) kept_.pop_back();
+    if (kept_.size() > most_) kept_.pop_back();
     return program;
 }
 

@@ -40,8 +40,9 @@ struct Program {
 
 class Programs {
   public:
-    // Those used last; beyond them, one that nobody holds is compiled again.
-    static constexpr std::size_t kMost = 64;
+    // `most`: of those used last; beyond them, one that nobody holds is compiled again. At least 1. A driver for processors
+    // keeps 8 to 12 MB of each.
+    explicit Programs(std::size_t most) : most_(most) {}
 
     // Compiles at the first call for a key. Throws std::runtime_error where the device refuses, or the build
     // has no such shader. From any thread.
@@ -53,6 +54,7 @@ class Programs {
         ProgramKey key;
         std::shared_ptr<const Program> program;
     };
+    std::size_t most_;
     std::mutex mutex_;
     std::list<Kept> kept_;  // the last used first
 };

@@ -12,9 +12,7 @@ vec3 tone_map(vec3 c) {  // Narkowicz 2015, a fit of the ACES reference transfor
     return mix(12.92 * c, 1.055 * pow(max(c, vec3(1e-8)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
 
-vec4 radiance_along(vec3 d, uint pixel, bool preview) {
-    TraceHit h = trace_ray(frame.eye, d, 0.0, kFar, false, pixel);
-    if (h.primitive == kNoHit) return vec4(sky_radiance(d), 0.0);
+Shading shading_at(TraceHit h, vec3 d) {
     Primitive p = primitives[h.primitive];
     PrimitiveNormals n = normals[h.primitive];
     Shading s;
@@ -30,7 +28,38 @@ vec4 radiance_along(vec3 d, uint pixel, bool preview) {
     float back = dot(s.ns, s.view);
     if (back < 0.01) s.ns = normalize(s.ns + s.view * (0.01 - back));
     s.offset_point = s.point + s.ng * s.ob.ray_offset;
-    return vec4(shade(s, pixel, preview), 1.0);
+    return s;
+}
+
+// The camera's ray, then one after the other those from the surface that bring light, by one call: compilers copy the
+// traversal and the method's intersection to every call, and a processor's takes seconds and megabytes for each.
+vec4 radiance_along(vec3 camera_ray, uint pixel, bool preview) {
+    Shading s;
+    SecondaryRay ray;
+    vec3 origin = frame.eye, sum = vec3(0.0);
+    ray.direction = camera_ray;
+    ray.reach = kFar;
+    ray.radiance = vec3(0.0);
+    for (uint next = 0u;;) {
+        TraceHit h = trace_ray(origin, ray.direction, 0.0, ray.reach, next > 0u, pixel);
+        if (next == 0u) {
+            if (h.primitive == kNoHit) return vec4(sky_radiance(camera_ray), 0.0);
+            s = shading_at(h, camera_ray);
+            origin = s.offset_point;
+        } else if (h.primitive == kNoHit) {
+            sum += ray.radiance;
+        }
+        bool brings = false;
+        while (!brings && next < secondary_rays(preview)) {
+            brings = secondary_ray(s, next, pixel, preview, ray);
+            ++next;
+            if (brings && !kShadows) {
+                sum += ray.radiance;
+                brings = false;
+            }
+        }
+        if (!brings) return vec4(sum + unshadowed_sky(s, preview), 1.0);
+    }
 }
 
 void beauty_main(ivec2 local) {

@@ -68,31 +68,42 @@ vec3 light_irradiance(LightData l, vec3 point, vec2 u, out vec3 light, out float
     return l.radiance / d2;
 }
 
-vec3 shade(Shading s, uint pixel, bool preview) {
+// Rays from the surface towards lights and sky, and what each brings where nothing is in its way.
+struct SecondaryRay {
+    vec3 direction;
+    float reach;
+    vec3 radiance;  // reflected to the viewer
+};
+
+uint secondary_rays(bool preview) { return frame.light_count + (kSky && kShadows && !preview ? 1u : 0u); }
+
+// The sky's diffuse light by one cosine-distributed direction a sample.
+bool sky_ray(Shading s, uint pixel, out SecondaryRay ray) {
+    float u = random_at(pixel, push.sample_index, 0x52000000u), v = random_at(pixel, push.sample_index, 0x52000001u);
+    float r = sqrt(u), phi = 2.0 * kPi * v;
+    vec3 t, b;
+    orthonormal(s.ns, t, b);
+    ray.direction = normalize(t * (r * cos(phi)) + b * (r * sin(phi)) + s.ns * sqrt(max(0.0, 1.0 - u)));
+    ray.reach = 1e30;
+    ray.radiance = s.ob.albedo * sky_radiance(ray.direction);
+    return dot(ray.direction, s.ng) > 0.0;
+}
+
+// False where the i-th ray brings nothing.
+bool secondary_ray(Shading s, uint i, uint pixel, bool preview, out SecondaryRay ray) {
+    if (i >= frame.light_count) return sky_ray(s, pixel, ray);
+    vec2 u = preview ? vec2(0.0) : vec2(random_at(pixel, push.sample_index, 0x51000000u + 2u * i),
+                                        random_at(pixel, push.sample_index, 0x51000001u + 2u * i));
+    vec3 irradiance = light_irradiance(frame.lights[i], s.point, u, ray.direction, ray.reach);
+    ray.radiance = reflected(s, ray.direction, irradiance);
+    return dot(s.ng, ray.direction) > 0.0 && dot(s.ns, ray.direction) > 0.0;
+}
+
+// Light of the sky that no ray asks for: its mirror image, and where shadows are not wanted or only hard ones its diffuse light.
+vec3 unshadowed_sky(Shading s, bool preview) {
     vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < frame.light_count; ++i) {
-        vec2 u = preview ? vec2(0.0) : vec2(random_at(pixel, push.sample_index, 0x51000000u + 2u * i),
-                                            random_at(pixel, push.sample_index, 0x51000001u + 2u * i));
-        vec3 light;
-        float reach;
-        vec3 irradiance = light_irradiance(frame.lights[i], s.point, u, light, reach);
-        if (dot(s.ng, light) <= 0.0 || dot(s.ns, light) <= 0.0) continue;
-        if (kShadows && trace_ray(s.offset_point, light, 0.0, reach, true, pixel).primitive != kNoHit) continue;
-        sum += reflected(s, light, irradiance);
-    }
     if (!kSky) return sum;
-    // The sky's diffuse light by one cosine-distributed direction a sample; its mirror image is not shadowed.
-    if (preview || !kShadows) {
-        sum += s.ob.albedo * sky_ambient(s.ns) * (preview ? 0.8 : 1.0);
-    } else {
-        float u = random_at(pixel, push.sample_index, 0x52000000u), v = random_at(pixel, push.sample_index, 0x52000001u);
-        float r = sqrt(u), phi = 2.0 * kPi * v;
-        vec3 t, b;
-        orthonormal(s.ns, t, b);
-        vec3 w = normalize(t * (r * cos(phi)) + b * (r * sin(phi)) + s.ns * sqrt(max(0.0, 1.0 - u)));
-        if (dot(w, s.ng) > 0.0 && trace_ray(s.offset_point, w, 0.0, 1e30, true, pixel).primitive == kNoHit)
-            sum += s.ob.albedo * sky_radiance(w);
-    }
+    if (preview || !kShadows) sum += s.ob.albedo * sky_ambient(s.ns) * (preview ? 0.8 : 1.0);
     if (kGloss) {
         float fresnel = schlick(s.ob.specular, 1.0 - s.ob.roughness, max(dot(s.ns, s.view), 0.0));
         sum += fresnel * mix(sky_radiance(reflect(-s.view, s.ns)), sky_ambient(s.ns), s.ob.roughness);
