@@ -65,7 +65,7 @@ void PaintStroke::smooth_planes(std::span<const Place> places, float pressure, c
             smooth({brush_, at, place.surface, seams_, *plane, mask, 1.0, wanted[i]});
         });
         apply_together(wanted, false, *plane);
-        seams_.follow(*plane);
+        seams_.follow(*plane, Across::values);
     }
 }
 
@@ -85,12 +85,12 @@ void PaintStroke::dab(std::span<const Place> places, float pressure, const Heigh
                 if (std::abs(wanted) > std::abs(change)) plane.set_change(w.x, w.y, wanted);
             }
         }
-        seams_.follow(plane);
+        seams_.follow(plane, Across::values);
     }
 }
 
 void PaintStroke::settle(const HeightMap* mask) {
-    for (auto& plane : planes_) seams_.settle(*plane, mask);
+    for (auto& plane : planes_) seams_.settle(*plane, Across::values, mask);
 }
 
 std::vector<TexelRect> PaintStroke::take_dirty() {

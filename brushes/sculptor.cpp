@@ -54,6 +54,7 @@ struct Sculptor::State {
     }
 
     Layer layer() const { return brush.tool == Tool::mask ? Layer::mask : Layer::height; }
+    Across across() const { return layer() == Layer::height ? Across::slopes : Across::values; }
     HeightMap& map_of(Layer which) {
         switch (which) {
             case Layer::height:
@@ -213,7 +214,7 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
         wanted[i] = dab_changes(brush, place, surface_of(branch), seams, *stroke, protection());
     });
     apply_together(wanted, add_up, *stroke);
-    seams.follow(*stroke);
+    seams.follow(*stroke, across());
 }
 
 std::vector<TexelRect> Sculptor::State::take(bool redo) {
@@ -280,7 +281,7 @@ std::vector<TexelRect> Sculptor::end() {
     state_->require_stroke(true, "end");
     StrokeTiles& stroke = *state_->stroke;
     const Layer layer = state_->layer();
-    state_->seams.settle(stroke, state_->protection());
+    state_->seams.settle(stroke, state_->across(), state_->protection());
     std::vector<TexelRect> rects = state_->shown(stroke.take_dirty(), layer);
     if (state_->paint) {
         state_->paint->settle(state_->protection());

@@ -31,7 +31,9 @@ bool contains(const TexelRect& rect, int x, int y) {
 }  // namespace
 
 Seams::Seams(const Surface& surface, int width, int height)
-    : width_(static_cast<std::uint32_t>(width)), height_(static_cast<std::uint32_t>(height)) {
+    : width_(static_cast<std::uint32_t>(width)),
+      height_(static_cast<std::uint32_t>(height)),
+      bends_(surface.seams(), width, height) {
     const SeamTable& table = surface.seams();
     const TileGrid grid(width, height);
     index_copies(table, grid);
@@ -47,6 +49,7 @@ void Seams::index_copies(const SeamTable& table, const TileGrid& grid) {
             throw std::invalid_argument("seam copy " + std::to_string(i) + " lies outside the map");
         copies_of_tile_.emplace_back(grid.tile_of(copies_[i].source), i);
         copies_of_tile_.emplace_back(grid.tile_of(copies_[i].gutter), i);
+        shifted_.push_back(bends_.determines(copies_[i].gutter));
     }
     sort_unique(copies_of_tile_);
 }
@@ -120,16 +123,18 @@ bool Seams::is_loose(std::uint32_t texel) const {
     return found != loose_.end() && found->texel == texel;
 }
 
-void Seams::follow(StrokeTiles& stroke) const {
+void Seams::follow(StrokeTiles& stroke, Across across) const {
     extend_islands(stroke);
-    copy_changed(stroke);
+    copy_changed(stroke, across);
 }
 
-void Seams::copy_changed(StrokeTiles& stroke) const {
+void Seams::copy_changed(StrokeTiles& stroke, Across across) const {
+    if (across == Across::slopes) bends_.follow(stroke);
     const std::vector<std::uint32_t> tiles = stroke.dirty();  // copies may add to it
     for (const std::uint32_t tile : tiles) {
         const TexelRect dirty = stroke.tile(tile)->dirty;
         visit_tile(copies_of_tile_, tile, [&](std::uint32_t i) {
+            if (across == Across::slopes && shifted_[i]) return;
             const Texel from = place(copies_[i].source), to = place(copies_[i].gutter);
             if (contains(dirty, from.x, from.y) || contains(dirty, to.x, to.y))
                 stroke.copy(from.x, from.y, to.x, to.y);
@@ -223,7 +228,7 @@ void Seams::copy_all(HeightMap& map) const {
     for (const SeamCopy& copy : copies_) map.texels()[copy.gutter] = map.texels()[copy.source];
 }
 
-void Seams::settle(StrokeTiles& stroke, const HeightMap* mask) const {
+void Seams::settle(StrokeTiles& stroke, Across across, const HeightMap* mask) const {
     std::vector<std::uint32_t> unknowns = touched_texels(stroke);
     if (mask) std::erase_if(unknowns, [&](std::uint32_t t) { return mask->texels()[t] == 65535; });
     if (unknowns.empty()) return;
@@ -232,7 +237,7 @@ void Seams::settle(StrokeTiles& stroke, const HeightMap* mask) const {
         const Texel at = place(unknowns[i]);
         stroke.set_change(at.x, at.y, stroke.change(at.x, at.y) + static_cast<float>(steps[i]));
     }
-    copy_changed(stroke);
+    copy_changed(stroke, across);
 }
 
 }  // namespace relievo

@@ -1,7 +1,7 @@
 // Keeps both sides of a texture seam at one height under bilinear filtering.
 //
 // Seams along texel rows: gutter texels are copies of the texels across the seam (SeamCopy), equal after
-// every dab.
+// every dab; where the rows bend, copies with a shift (seam_bends.h).
 //
 // Slanted and scaled seams, after S. Liu, Z. Ferguson, A. Jacobson, Y. Gingold, "Seamless: Seam erasure and
 // seam-aware decoupling of shape from mesh resolution", ACM TOG 36(6), 2017: least squares over the texels
@@ -16,12 +16,16 @@
 #include <utility>
 #include <vector>
 
+#include "brushes/seam_bends.h"
 #include "brushes/stroke_tiles.h"
 #include "brushes/surface.h"
 
 namespace relievo {
 
 struct SeamSystem;
+
+// What passes a seam: the values alone (masks, colours), or their slope as well (heights).
+enum class Across { values, slopes };
 
 class Seams {
   public:
@@ -33,13 +37,13 @@ class Seams {
     bool is_gutter(int x, int y) const;
 
     // After a dab: copies what changed, and extends islands to the loose texels beside what changed.
-    void follow(StrokeTiles& stroke) const;
+    void follow(StrokeTiles& stroke, Across across) const;
 
     // At a stroke's end: solves the equations that it touched, then follows. What the mask protects wholly
     // stands fixed (null: nothing).
-    void settle(StrokeTiles& stroke, const HeightMap* mask = nullptr) const;
+    void settle(StrokeTiles& stroke, Across across, const HeightMap* mask = nullptr) const;
 
-    // Makes every gutter texel of a map that was changed without a stroke equal to its source.
+    // Makes every gutter texel of a mask that was changed without a stroke equal to its source.
     void copy_all(HeightMap& map) const;
 
   private:
@@ -61,7 +65,7 @@ class Seams {
     void add_unowned_around(std::uint32_t texel, const Surface& surface,
                             std::vector<std::uint32_t>& loose) const;
     void add_loose(std::uint32_t texel, const Surface& surface, const TileGrid& grid);
-    void copy_changed(StrokeTiles& stroke) const;
+    void copy_changed(StrokeTiles& stroke, Across across) const;
     void extend_islands(StrokeTiles& stroke) const;
     bool is_loose(std::uint32_t texel) const;
     std::vector<std::uint32_t> touched_texels(const StrokeTiles& stroke) const;
@@ -70,7 +74,9 @@ class Seams {
     SeamSystem system_on(const std::vector<std::uint32_t>& unknowns, const StrokeTiles& stroke) const;
 
     std::uint32_t width_, height_;
-    std::vector<SeamCopy> copies_;         // sorted by gutter
+    std::vector<SeamCopy> copies_;  // sorted by gutter
+    std::vector<bool> shifted_;     // of each copy: bends_ determines its height
+    SeamBends bends_;
     std::vector<SeamEquation> equations_;  // gutters replaced by their sources
     std::vector<Loose> loose_;             // sorted by texel
     TileIndex copies_of_tile_, equations_of_tile_, loose_of_tile_;

@@ -1,6 +1,7 @@
 // Tiles of a stroke under way: created on first touch, written through to the map.
 #include "brushes/stroke_tiles.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace relievo {
@@ -52,9 +53,9 @@ void StrokeTiles::set_change(int x, int y, float change) {
     write(tile, grid_.tile_of(x, y), x, y, static_cast<std::uint16_t>(count));
 }
 
-void StrokeTiles::copy(int from_x, int from_y, int to_x, int to_y) {
-    const float from = value(from_x, from_y);
-    const std::uint16_t count = map_.at(from_x, from_y);
+void StrokeTiles::copy(int from_x, int from_y, int to_x, int to_y, int shift) {
+    const float from = std::clamp(value(from_x, from_y) + static_cast<float>(shift), 0.0f, kTop);
+    const auto count = static_cast<std::uint16_t>(map_.at(from_x, from_y) + shift);
     if (value(to_x, to_y) == from && map_.at(to_x, to_y) == count) return;
     Tile& tile = touch(to_x, to_y);
     const std::size_t at = place_in_tile(to_x, to_y);

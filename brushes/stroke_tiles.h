@@ -92,8 +92,11 @@ class StrokeTiles {
     // Sets the change of a texel, held to counts [0, 65535], and the map's rounded texel with it.
     void set_change(int x, int y, float change);
     void set_value(int x, int y, float value) { set_change(x, y, value - static_cast<float>(before(x, y))); }
-    // Makes one texel equal to another: the same unrounded value and the same count.
-    void copy(int from_x, int from_y, int to_x, int to_y);
+    // The map's count now.
+    std::uint16_t count(int x, int y) const { return map_.at(x, y); }
+    // Makes one texel equal to another: the same unrounded value and the same count; or, with a shift that
+    // keeps the count in the map's range, both so much higher.
+    void copy(int from_x, int from_y, int to_x, int to_y, int shift = 0);
 
     const TileGrid& grid() const { return grid_; }
     const Tile* tile(std::uint32_t index) const { return tiles_[index].get(); }

@@ -41,9 +41,32 @@ struct SeamEquation {
     float weight[8];
 };
 
+// A column of texels across an exact seam at which the texel rows bend or change their scale. Both gutters
+// hold their copy and one shift, so that the two sides still agree to the count, and the slope passes from
+// one to the other: seam_bends.h.
+struct SeamBend {
+    static constexpr std::int32_t kOne = 65536;  // the unit of the weights
+
+    std::uint32_t inside[2];            // texel index: each side's texel at the border
+    std::uint32_t gutter[2];            // beyond inside[k]; among the copies, of inside[1 - k]
+    std::uint32_t ahead[2], behind[2];  // the inside texels of the neighbouring columns
+    // shift = lean * (inside[0] - inside[1]) + the sum over k of bend[k] * (ahead[k] - behind[k])
+    std::int32_t lean, bend[2];
+};
+
+// Where three islands meet whose seams have such columns up to the end: the three texels past the ends.
+struct SeamCorner {
+    std::uint32_t gutter[3];  // among the copies, all of one texel
+    std::uint32_t bend[3];    // into the bends: the last column of the seam between the other two islands
+    std::uint32_t inside[3];  // of gutter[k]'s island: its texel in the corner
+    std::int32_t weight[3];   // of inside[k], of their sum: how much it has of the height at the vertex
+};
+
 struct SeamTable {
     std::vector<SeamCopy> copies;         // sorted by source; a gutter appears once, never as a source
     std::vector<SeamEquation> equations;  // along every seam that copies cannot make exact
+    std::vector<SeamBend> bends;          // no equation reads their gutters, nor the corners'
+    std::vector<SeamCorner> corners;      // a bend is of one corner at most
 };
 
 class Surface {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "assets/generator/atlas.h"
+#include "assets/generator/bent_gutters.h"
 #include "assets/generator/builders.h"
 #include "assets/generator/portable_math.h"
 #include "assets/generator/sample_alphas.h"
@@ -67,15 +68,20 @@ std::vector<std::uint16_t> paint(int size, const std::function<double(double, do
 void make_sample(const Entry& entry, const Options& options) {
     const Sculpture sculpture = entry.make();
     const std::string name = entry.name;
-    write_obj(sculpture.shape, options.output / "meshes" / (name + ".obj"));
+    const fs::path mesh = options.output / "meshes" / (name + ".obj");
+    write_obj(sculpture.shape, mesh);
     write_sample_strokes(name, sculpture.shape, options.output / "strokes");
     if (!sculpture.exemplar && !sculpture.height) return;
     const Atlas atlas(sculpture.shape);
     const fs::path maps = options.output / "maps";
-    write_png(maps / (name + ".png"),
-              sculpture.exemplar ? paint(options.size, sculpture.exemplar)
-                                 : atlas.paint(options.size, 65535, sculpture.height, sculpture.free_height),
-              options.size, 16);
+    std::vector<std::uint16_t> heights;
+    if (sculpture.exemplar) {
+        heights = paint(options.size, sculpture.exemplar);
+    } else {
+        heights = atlas.paint(options.size, 65535, sculpture.height, sculpture.free_height);
+        bend_gutters(mesh, options.size, heights);
+    }
+    write_png(maps / (name + ".png"), heights, options.size, 16);
     if (sculpture.opacity)
         write_png(maps / (name + "_opacity.png"), atlas.paint(options.size, 255, sculpture.opacity, {}),
                   options.size, 8);

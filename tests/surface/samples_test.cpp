@@ -13,6 +13,7 @@
 #include "editor/session/surface/mesh_surface.h"
 #include "editor/session/surface/seam_gap.h"
 #include "editor/session/surface/seam_table.h"
+#include "slope_jump.h"
 #include "test_meshes.h"
 
 namespace relievo {
@@ -46,7 +47,7 @@ TEST(Samples, aligned_seams_close_exactly_whatever_the_map) {
         const double ms =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
         HeightMap map = random_map(kSize, kSize, 1);
-        apply_copies(map, table);
+        fill_gutters(map, table);
         const std::vector<SeamGap> gaps = seam_gaps(mesh, map, Wrap::repeat);
         const auto aligned =
             std::count_if(gaps.begin(), gaps.end(), [](const SeamGap& g) { return g.aligned; });
@@ -118,6 +119,42 @@ TEST(Samples, strokes_over_seams_leave_no_gap) {
                 EXPECT_GT(*high - *low, 500) << path;
             }
             if (any > 0) std::printf("  %s: %.1f of %d counts\n", path.stem().c_str(), any, *high - *low);
+        }
+    }
+}
+
+// Along exact seams, in the slope of a stroke over all of them: where rows bend most it shows less than the
+// bends of rows within the islands do.
+TEST(Samples, a_stroke_over_exact_seams_keeps_its_slope) {
+    for (const auto& path : sample_meshes()) {
+        const Mesh mesh = load(path);
+        float size = 0;
+        for (const glm::vec3& p : mesh.positions) size = std::max(size, glm::length(p));
+        HeightMap map(kSize, kSize);
+        const Displacement shown = displacement(0.2 * static_cast<double>(size));
+        const MeshSurface surface(mesh, shown, map);
+        if (surface.seams().bends.empty()) continue;
+        Sculptor sculptor(map, surface);
+        Brush brush;
+        brush.radius = 0.2f * size;
+        brush.strength = 1;
+        sculptor.begin(brush);
+        for (const Dab& dab : dabs_on_seams(mesh, map, 0.15f * size)) sculptor.dab(dab);
+        sculptor.end();
+        HeightMap copies = map;
+        for (const SeamCopy& copy : surface.seams().copies)
+            copies.texels()[copy.gutter] = copies.texels()[copy.source];
+        const auto mean = [&](const HeightMap& of) {
+            double sum = 0, count = 0;
+            for (const SlopeJump& jump : slope_jumps(mesh, of, shown))
+                if (jump.seam && jump.aligned) sum += jump.mean, ++count;
+            return sum / count;
+        };
+        const double before = mean(copies), after = mean(map);
+        std::printf("  %-10s mean jump of slope: %.5f by copies, %.5f\n", path.stem().c_str(), before, after);
+        EXPECT_LT(after, std::max(0.5 * before, 2e-4)) << path << ": all but rounding";
+        if (path.stem() == "asteroid" || path.stem() == "orb" || path.stem() == "leather") {
+            EXPECT_LT(after, 0.1 * before) << path;
         }
     }
 }

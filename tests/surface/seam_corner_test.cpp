@@ -53,7 +53,7 @@ double gap(const Mesh& mesh, int size) {
     double largest = 0;
     for (unsigned seed = 1; seed <= 5; ++seed) {
         HeightMap map = random_map(size, size, seed);
-        apply_copies(map, table);
+        fill_gutters(map, table);
         largest = std::max(largest, max_seam_gap(mesh, map, Wrap::repeat, true));
     }
     return largest;

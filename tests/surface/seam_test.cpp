@@ -43,7 +43,7 @@ double gap_after_copies(const Mesh& mesh, int width, int height, Wrap wrap = Wra
     for (unsigned seed = 1; seed <= 3; ++seed) {
         HeightMap map = random_map(width, height, seed);
         EXPECT_GT(max_seam_gap(mesh, map, wrap, true), 1000);
-        apply_copies(map, table);
+        fill_gutters(map, table);
         largest = std::max(largest, max_seam_gap(mesh, map, wrap, true));
     }
     return largest;
@@ -85,7 +85,7 @@ TEST(Seam, a_cylinder_cut_open_closes_up_to_its_open_ends) {
 TEST(Seam, texels_past_an_open_border_repeat_the_border) {
     const Mesh mesh = cut_cylinder(12);
     HeightMap map = random_map(64, 64, 5);
-    apply_copies(map, build_seam_table(mesh, 64, 64, Wrap::repeat));
+    fill_gutters(map, build_seam_table(mesh, 64, 64, Wrap::repeat));
     for (int x = 8; x < 56; ++x) {
         EXPECT_EQ(map.at(x, 15), map.at(x, 16));
         EXPECT_EQ(map.at(x, 48), map.at(x, 47));
@@ -105,7 +105,7 @@ TEST(Seam, quarter_texel_phases_close_where_they_are_complementary) {
         const SeamTable table = build_seam_table(mesh, size, size, Wrap::repeat);
         expect_well_formed(table);
         HeightMap map = random_map(size, size, 1);
-        apply_copies(map, table);
+        fill_gutters(map, table);
         if (table.equations.empty()) {
             EXPECT_EQ(max_seam_gap(mesh, map, Wrap::repeat, true), 0) << size;
         }
@@ -163,7 +163,7 @@ TEST(Seam, equations_measure_the_gap_of_the_map) {
     const Mesh mesh = cut_strip(0.4, 0.8);
     const SeamTable table = build_seam_table(mesh, 64, 64, Wrap::repeat);
     HeightMap map = random_map(64, 64, 9);
-    apply_copies(map, table);
+    fill_gutters(map, table);
     double largest = 0;
     for (const SeamEquation& e : table.equations) {
         double sum = 0;

@@ -41,7 +41,7 @@ struct Object {
         surface.texels_in_ball(glm::vec3(0), 5, texels);
         for (const SurfaceTexel& t : texels)
             map.set(t.x, t.y, static_cast<std::uint16_t>(std::lround(counts(glm::dvec3(t.position)))));
-        apply_copies(map, surface.seams());
+        fill_gutters(map, surface.seams());
     }
 
     Mesh mesh;

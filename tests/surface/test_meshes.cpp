@@ -7,6 +7,8 @@
 #include <map>
 #include <tuple>
 
+#include "brushes/seam_bends.h"
+
 namespace relievo::test {
 
 void MeshBuilder::triangle(const Corner& a, const Corner& b, const Corner& c) {
@@ -137,8 +139,9 @@ HeightMap random_map(int width, int height, unsigned seed) {
     return map;
 }
 
-void apply_copies(HeightMap& map, const SeamTable& table) {
+void fill_gutters(HeightMap& map, const SeamTable& table) {
     for (const SeamCopy& copy : table.copies) map.texels()[copy.gutter] = map.texels()[copy.source];
+    SeamBends(table, map.width(), map.height()).apply(map);
 }
 
 Displacement displacement(double amplitude, double midlevel, Wrap wrap) {

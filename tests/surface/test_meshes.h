@@ -48,8 +48,8 @@ Mesh cut_cylinder(int cells);
 std::mt19937 generator(unsigned seed);
 HeightMap random_map(int width, int height, unsigned seed);
 
-// Copies every source over its gutters.
-void apply_copies(HeightMap& map, const SeamTable& table);
+// What the brushes keep: copies, and shifts where rows bend.
+void fill_gutters(HeightMap& map, const SeamTable& table);
 
 Displacement displacement(double amplitude, double midlevel = 0.5, Wrap wrap = Wrap::repeat);
 

@@ -28,7 +28,7 @@ void for_each_column(const UvSeam& seam, const MapGrid& grid,
             return mapped ? grid.index(to_b.x(x, y), to_b.y(x, y)) : grid.index(x, y);
         };
         visit({texel(in, false), texel(out, false), texel(out, true), texel(in, true), weight_in,
-               1 - weight_in, centre < low + 1 || centre > high - 1});
+               1 - weight_in, centre < low + 1 || centre > high - 1, centre < low || centre > high});
     }
 }
 

@@ -19,6 +19,7 @@ struct SeamColumn {
     std::uint32_t a_in, a_out, b_in, b_out;  // b_in is a_out's place, b_out is a_in's
     double weight_in, weight_out;            // of a_in and b_out; of a_out and b_in; they add up to 1
     bool at_end;                             // within a texel of an end of the mesh edge
+    bool past_end;                           // beyond it
 };
 
 void for_each_column(const UvSeam& seam, const MapGrid& grid,

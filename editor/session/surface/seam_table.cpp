@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <optional>
 #include <tuple>
+#include <utility>
 
+#include "editor/session/surface/bent_seams.h"
 #include "editor/session/surface/owned_texels.h"
 #include "editor/session/surface/seam_columns.h"
 #include "editor/session/surface/seam_equations.h"
@@ -41,6 +43,9 @@ class SeamTableBuilder {
             return std::tie(a.source, a.gutter) < std::tie(b.source, b.gutter);
         });
         table.equations = equations(sums_, classes_);
+        BentSeams bent = find_bent_seams(mesh_, grid_, borders_, classes_, sums_);
+        table.bends = std::move(bent.bends);
+        table.corners = std::move(bent.corners);
         return table;
     }
 

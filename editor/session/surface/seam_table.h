@@ -1,7 +1,8 @@
 // Builds the seam table of a texture layout: which texels must be copies of which, and equations for the
 // rest.
 //
-// Along an aligned seam (uv_borders.h) each gutter texel is a copy of the texel that the isometry lays on it.
+// Along an aligned seam (uv_borders.h) each gutter texel is a copy of the texel that the isometry lays on it,
+// with a shift where texel rows bend there (bent_seams.h).
 // Past the seam's end stands a corner texel that copies along the edges leave open: it is settled so that the
 // last half texel agrees too. Where three islands meet, their three corner texels become one value; where
 // four meet, each takes the island's across; where a seam ends in a corner cut out of one island, exactness
