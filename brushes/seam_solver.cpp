@@ -11,14 +11,15 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
 // Damping against unit residuals; an equation's weights are about 1 in sum on each side and come at least
-// twice a texel. Less damping bends the border's texels to cancel kinks that the two grids cannot share, so
-// it starts here and falls by tens only while a difference of more than kAccepted of the stroke's height is
-// left (brushes of a few texels).
+// twice a texel. Less damping bends the border's texels, or tosses those beyond it, to cancel kinks that the
+// two grids cannot share, and shows as a line; so it starts here and falls by tens only while a difference of
+// more than kAccepted of the stroke's height is left (brushes of a few texels, islands narrower than a
+// texel).
 constexpr double kOwnedDamping = 3e-3;
-constexpr double kLooseDamping = 1e-5;
-constexpr double kAccepted = 0.01;
+constexpr double kLooseDamping = 1e-3;
+constexpr double kAccepted = 0.003;
 constexpr double kAcceptedCounts = 0.5;  // rounding leaves as much
-constexpr int kMostSolutions = 4;
+constexpr int kMostSolutions = 5;
 
 }  // namespace
 

@@ -96,17 +96,39 @@ void Seams::add_unowned_around(std::uint32_t texel, const Surface& surface,
 
 void Seams::add_loose(std::uint32_t texel, const Surface& surface, const TileGrid& grid) {
     Loose loose{texel, {}};
+    const std::vector<SeamExtension>& extensions = surface.seams().extensions;
+    const auto found =
+        std::lower_bound(extensions.begin(), extensions.end(), texel,
+                         [](const SeamExtension& extension, std::uint32_t t) { return extension.texel < t; });
+    if (found != extensions.end() && found->texel == texel) {
+        for (const SeamExtension::Source& source : found->sources) {
+            if (source.texel >= width_ * height_)
+                throw std::invalid_argument("seam extension of texel " + std::to_string(texel) +
+                                            " lies outside the map");
+            loose.sources.push_back({place(source.texel), source.weight});
+        }
+    } else {
+        loose.sources = mean_of_owned(texel, surface, grid);
+    }
+    for (const Weighted& source : loose.sources)
+        loose_of_tile_.emplace_back(grid.tile_of(source.at.x, source.at.y),
+                                    static_cast<std::uint32_t>(loose_.size()));
+    loose_.push_back(std::move(loose));
+}
+
+std::vector<Seams::Weighted> Seams::mean_of_owned(std::uint32_t texel, const Surface& surface,
+                                                  const TileGrid& grid) const {
+    std::vector<Weighted> sources;
     const Texel at = place(texel);
     const TexelRect map = grid.bounds();
     // A seam that clips the corner of a cell reads texels that are two away from any that a triangle owns.
-    for (int reach = 1; reach <= 2 && loose.neighbours.empty(); ++reach)
+    for (int reach = 1; reach <= 2 && sources.empty(); ++reach)
         for (int y = std::max(at.y - reach, 0); y < std::min(at.y + reach + 1, map.y1); ++y)
-            for (int x = std::max(at.x - reach, 0); x < std::min(at.x + reach + 1, map.x1); ++x) {
-                if (!surface.owned(x, y)) continue;
-                loose.neighbours.push_back({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)});
-                loose_of_tile_.emplace_back(grid.tile_of(x, y), static_cast<std::uint32_t>(loose_.size()));
-            }
-    loose_.push_back(std::move(loose));
+            for (int x = std::max(at.x - reach, 0); x < std::min(at.x + reach + 1, map.x1); ++x)
+                if (surface.owned(x, y))
+                    sources.push_back({{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)}, 1.0f});
+    for (Weighted& source : sources) source.weight /= static_cast<float>(sources.size());
+    return sources;
 }
 
 bool Seams::is_gutter(int x, int y) const {
@@ -147,17 +169,19 @@ void Seams::extend_islands(StrokeTiles& stroke) const {
     for (const std::uint32_t tile : stroke.dirty()) {
         const TexelRect dirty = stroke.tile(tile)->dirty;
         visit_tile(loose_of_tile_, tile, [&](std::uint32_t i) {
-            const auto& around = loose_[i].neighbours;
-            if (std::any_of(around.begin(), around.end(), [&](Texel t) { return contains(dirty, t.x, t.y); }))
+            const auto& sources = loose_[i].sources;
+            if (std::any_of(sources.begin(), sources.end(),
+                            [&](const Weighted& s) { return contains(dirty, s.at.x, s.at.y); }))
                 changed.push_back(i);
         });
     }
     sort_unique(changed);
     for (const std::uint32_t i : changed) {
         float sum = 0.0f;
-        for (const Texel t : loose_[i].neighbours) sum += stroke.value(t.x, t.y);
+        for (const Weighted& source : loose_[i].sources)
+            sum += source.weight * stroke.value(source.at.x, source.at.y);
         const Texel at = place(loose_[i].texel);
-        stroke.set_value(at.x, at.y, sum / static_cast<float>(loose_[i].neighbours.size()));
+        stroke.set_value(at.x, at.y, sum);
     }
 }
 

@@ -8,8 +8,9 @@
 // that bilinear filtering reads along the seam, so that the differences of both sides at points along it
 // vanish, with a damping to the present values. Deviations: only the equations that a stroke touched are
 // solved, the rest of the map stands fixed; the damping holds texels that a triangle owns more firmly than
-// those that only filtering reads ("loose"), which start as an extension of the island; differences are
-// sampled (as the surface's equations say) where they integrate them.
+// those that only filtering reads ("loose"), which start as the surface's extension of the island over the
+// seam (or, without one, as the mean of the owned texels around); differences are sampled (as the surface's
+// equations say) where they integrate them.
 #pragma once
 
 #include <cstdint>
@@ -52,9 +53,13 @@ class Seams {
     struct Texel {
         std::int16_t x, y;
     };
+    struct Weighted {
+        Texel at;
+        float weight;
+    };
     struct Loose {
         std::uint32_t texel;
-        std::vector<Texel> neighbours;  // owned
+        std::vector<Weighted> sources;  // owned
     };
 
     Texel place(std::uint32_t texel) const {
@@ -65,6 +70,8 @@ class Seams {
     void add_unowned_around(std::uint32_t texel, const Surface& surface,
                             std::vector<std::uint32_t>& loose) const;
     void add_loose(std::uint32_t texel, const Surface& surface, const TileGrid& grid);
+    std::vector<Weighted> mean_of_owned(std::uint32_t texel, const Surface& surface,
+                                        const TileGrid& grid) const;
     void copy_changed(StrokeTiles& stroke, Across across) const;
     void extend_islands(StrokeTiles& stroke) const;
     bool is_loose(std::uint32_t texel) const;

@@ -62,11 +62,23 @@ struct SeamCorner {
     std::int32_t weight[3];   // of inside[k], of their sum: how much it has of the height at the vertex
 };
 
+// A texel that no triangle owns beside a seam that copies cannot make exact: what it holds until the
+// equations are solved, a mean of owned texels whose weights add up to 1 (some may be negative).
+struct SeamExtension {
+    struct Source {
+        std::uint32_t texel;
+        float weight;
+    };
+    std::uint32_t texel;
+    std::vector<Source> sources;
+};
+
 struct SeamTable {
-    std::vector<SeamCopy> copies;         // sorted by source; a gutter appears once, never as a source
-    std::vector<SeamEquation> equations;  // along every seam that copies cannot make exact
-    std::vector<SeamBend> bends;          // no equation reads their gutters, nor the corners'
-    std::vector<SeamCorner> corners;      // a bend is of one corner at most
+    std::vector<SeamCopy> copies;           // sorted by source; a gutter appears once, never as a source
+    std::vector<SeamEquation> equations;    // along every seam that copies cannot make exact
+    std::vector<SeamBend> bends;            // no equation reads their gutters, nor the corners'
+    std::vector<SeamCorner> corners;        // a bend is of one corner at most
+    std::vector<SeamExtension> extensions;  // sorted by texel; of texels that are not among the copies
 };
 
 class Surface {

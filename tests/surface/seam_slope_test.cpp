@@ -233,6 +233,30 @@ TEST(SeamSlope, a_map_that_mirrors_itself_across_the_seam_keeps_doing_so) {
     }
 }
 
+// Slanted and scaled seams have no copies: the islands are extended over them.
+TEST(SeamSlope, a_stroke_over_a_slanted_seam_leaves_no_line) {
+    for (const auto& [turn, scale] : {std::pair{0.4, 1.0}, {0.0, 0.7}, {1.1, 0.6}, {0.785398, 1.0}}) {
+        const Mesh mesh = cut_strip(turn, scale);
+        HeightMap map(512, 512);
+        const MeshSurface surface(mesh, displacement(kAmplitude), map);
+        Sculptor sculptor(map, surface);
+        Brush brush;
+        brush.radius = 0.3f;
+        sculptor.begin(brush);
+        for (int i = 0; i <= 8; ++i) {
+            const FacePoint at = surface.nearest_on_base(glm::dvec3(0.8 + 0.05 * i, 0.35 + 0.04 * i, 0));
+            Dab dab;
+            dab.face = at.face, dab.b1 = at.b1, dab.b2 = at.b2;
+            sculptor.dab(dab);
+        }
+        sculptor.end();
+        const Worst worst = worst_of(slope_jumps(mesh, map, displacement(kAmplitude)));
+        EXPECT_LT(worst.seam, 0.05) << turn << ' ' << scale << ": 0.09 to 0.24 with texels' means beyond";
+        EXPECT_LT(worst.mean_seam, 0.01) << turn << ' ' << scale;
+        EXPECT_LE(max_seam_gap(mesh, map, Wrap::repeat, false), 10) << turn << ' ' << scale;
+    }
+}
+
 // Masks and colours have no slope to pass: what they hold across a seam stays a copy.
 TEST(SeamSlope, a_mask_keeps_plain_copies) {
     const Mesh mesh = herringbone({0.5f, 0.5f, 0.5f});

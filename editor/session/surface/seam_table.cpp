@@ -9,6 +9,7 @@
 #include "editor/session/surface/owned_texels.h"
 #include "editor/session/surface/seam_columns.h"
 #include "editor/session/surface/seam_equations.h"
+#include "editor/session/surface/seam_extension.h"
 #include "editor/session/surface/seam_settling.h"
 #include "editor/session/surface/texel_classes.h"
 #include "editor/session/surface/texel_triangle.h"
@@ -46,6 +47,7 @@ class SeamTableBuilder {
         BentSeams bent = find_bent_seams(mesh_, grid_, borders_, classes_, sums_);
         table.bends = std::move(bent.bends);
         table.corners = std::move(bent.corners);
+        table.extensions = extend_over_seams(mesh_, grid_, borders_, classes_);
         return table;
     }
 
