@@ -183,8 +183,8 @@ void method_combo(Desk& desk) {
 
 namespace {
 
-// The settings of the bar, left to right; `rank`: what finds no room is left out from the greatest on, and
-// labels from the least on. All of them stand in the side panel too, but the view.
+// The settings of the bar, left to right; `rank`: what finds no room goes to the list behind *More*, from the
+// greatest on, and labels are left out from the least on.
 struct BarItem {
     const char* name;
     float width, least;  // points: beside its label, and without one
@@ -228,13 +228,46 @@ Fit fit_into(float room) {
     return fit;
 }
 
+float more_width() {
+    return points(kGap) + ImGui::CalcTextSize("More").x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+// The settings that found no room, from the rank `shown` on; lit where one of them is on unseen.
+void more_button(Desk& desk, int shown) {
+    const Brush& brush = desk.session.brush();
+    const auto hidden = [&](auto* draw) {
+        return std::ranges::any_of(kItems,
+                                   [&](const BarItem& i) { return i.draw == draw && i.rank >= shown; });
+    };
+    const bool lit = hidden(symmetry_buttons) && (brush.mirror_x || brush.mirror_y || brush.mirror_z);
+    ImGui::SameLine(0, points(kGap));
+    if (lit) ImGui::PushStyleColor(ImGuiCol_Button, kAccentDim);
+    if (push_button("More", true, "Settings for which the bar has no room")) ImGui::OpenPopup("more");
+    if (lit) ImGui::PopStyleColor();
+    ImGui::SetNextWindowPos(ImGui::GetItemRectMax(), ImGuiCond_Always, {1, 0});
+    if (!ImGui::BeginPopup("more")) return;
+    if (escape_pressed()) ImGui::CloseCurrentPopup();
+    for (const BarItem& item : kItems) {
+        if (item.rank < shown) continue;
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", item.name);
+        ImGui::SameLine(points(96));
+        ImGui::SetNextItemWidth(points(item.width));
+        item.draw(desk, true);
+    }
+    ImGui::EndPopup();
+}
+
 }  // namespace
 
 void draw_top_bar(Desk& desk, const Box& box) {
     begin_panel("top", box, points(10), (static_cast<float>(box.height) - ImGui::GetFrameHeight()) / 2);
     file_buttons(desk);
     const float keys = static_cast<float>(box.width) - ImGui::CalcTextSize("Keys").x - points(28);
-    const Fit fit = fit_into(keys - ImGui::GetCursorPosX() - points(8));
+    const float room = keys - ImGui::GetCursorPosX() - points(8);
+    Fit fit = fit_into(room);
+    const bool all = fit.shown == kRanks;
+    if (!all) fit = fit_into(room - more_width());
     for (const BarItem& item : kItems) {
         if (item.rank >= fit.shown) continue;
         const bool labelled = item.rank >= fit.labelled;
@@ -245,6 +278,7 @@ void draw_top_bar(Desk& desk, const Box& box) {
         ImGui::SetNextItemWidth(points(labelled ? item.width : item.least));
         item.draw(desk, labelled);
     }
+    if (!all) more_button(desk, fit.shown);
     ImGui::SameLine(keys);
     if (push_button("Keys", true, "All keys and mouse buttons  (F1)")) desk.view.wanted = Dialog::keys;
     ImGui::End();
