@@ -8,24 +8,30 @@
 //  - squares are clipped to the triangle's texture footprint before they are bounded;
 //  - boxes lie along the triangle's own axes: over a flat triangle they are as high as the map's range, not as the slope;
 //  - a margin pays for rounding: without it neighbouring boxes touch at best, and rays pass between them;
-//  - triangles without area in texture space are given kLeastWidth texels of it.
+//  - a triangle that is thin in texture space, or has no area there, is divided by its barycentrics in the place of texels,
+//    where no place follows from the texture: its squares lie over up to four cells of the map (leaf.glsl).
 #ifndef RELIEVO_DBVH_BOX_GLSL
 #define RELIEVO_DBVH_BOX_GLSL
 
-const float kLeastWidth = 0.015625f;  // texels
+const float kLeastWidth = 0.015625f;  // texels: narrower triangles are thin,
+const float kMostAspect = 64.0f;      // and those that are longer than this many times their width
 const float kLeastLength = 0.05f;     // of N: below, it is taken to point anywhere
 
-// The base triangle over texture space. Texel coordinates x here are relative to vertex 0's, places to the triangle's
-// frame (shared.h).
+// The base triangle over a plane that is divided into squares: that of the texels, or of its barycentrics where it is thin,
+// stretched so that a unit square is a texel at most. Coordinates x here are relative to vertex 0's, places to the
+// triangle's frame (shared.h).
 struct Domain {
-    vec3 px, py;         // the base point per texel, 0 at x = 0
+    vec3 px, py;         // the base point per unit, 0 at x = 0
     vec3 n0, nx, ny;     // the interpolated normal, not normalised
-    vec2 bx, by;         // barycentrics of vertices 1 and 2 per texel
+    vec2 bx, by;         // barycentrics of vertices 1 and 2 per unit
     vec2 t0, t1, t2;     // vertex 0 relative to the primitive's base; edges to vertices 1 and 2
+    bool thin;
+    vec2 s0, s1, s2;     // texels, as t0 to t2 (which they are, unless the triangle is thin)
     vec2 low, high;      // footprint
     vec3 e2, m1, m2;     // P = (q1x, 0, 0) b.x + e2 b.y; N = n0 + m1 b.x + m2 b.y
     float q1x;
-    float margin;        // world units: what rounding may do to a box
+    float margin;        // world units: what rounding may do to a box,
+    float b_rounding;    // and to barycentrics
 };
 
 struct DisplacedBox {
@@ -37,29 +43,27 @@ FUNC vec3 in_frame(Primitive p, vec3 v) {
     return vec3(dot(v, p.tangent), dot(v, frame_bitangent(p)), dot(v, p.ng));
 }
 
-// Edges in texture space, opened where they enclose no area.
-FUNC void open_edges(INOUT(vec2) t1, INOUT(vec2) t2) {
-    float l1 = length(t1), l2 = length(t2), l3 = length(t2 - t1), longest = max(max(l1, l2), l3);
-    if (abs(cross2(t1, t2)) >= kLeastWidth * longest && longest > kLeastWidth) return;
-    if (!(longest > kLeastWidth)) {
-        t1 = vec2(kLeastWidth, 0.0f);
-        t2 = vec2(0.0f, kLeastWidth);
-        return;
-    }
-    vec2 along = (l1 == longest ? t1 : (l2 == longest ? t2 : t2 - t1)) / longest;
-    float width = cross2(t1, t2) < 0.0f ? -kLeastWidth : kLeastWidth;
-    vec2 aside = vec2(-along.y, along.x) * (2.0f * width);
-    if (l1 == longest) t2 = t2 + aside;
-    else if (l2 == longest) t1 = t1 - aside;
-    else { t1 = t1 + aside; t2 = t2 + aside; }
+FUNC bool is_thin(vec2 t1, vec2 t2) {
+    float longest = max(max(length(t1), length(t2)), length(t2 - t1)), area = abs(cross2(t1, t2));
+    return !(area >= kLeastWidth * longest && area * kMostAspect >= longest * longest && longest > 0.0f);
 }
 
 FUNC Domain make_domain(Primitive p, PrimitiveNormals n, float most_displacement, float rounding) {
     Domain g;
-    g.t0 = p.tx0;
-    g.t1 = p.tx1 - p.tx0;
-    g.t2 = p.tx2 - p.tx0;
-    open_edges(g.t1, g.t2);
+    g.s0 = p.tx0;
+    g.s1 = p.tx1 - p.tx0;
+    g.s2 = p.tx2 - p.tx0;
+    g.t0 = g.s0;
+    g.t1 = g.s1;
+    g.t2 = g.s2;
+    g.thin = is_thin(g.s1, g.s2);
+    if (g.thin) {
+        vec2 texels = abs(g.s1) + abs(g.s2);
+        float side = max(1.02f * max(texels.x, texels.y), 1.0f);
+        g.t0 = vec2(0.0f);
+        g.t1 = vec2(side, 0.0f);
+        g.t2 = vec2(0.0f, side);
+    }
     float inverse = 1.0f / cross2(g.t1, g.t2);
     g.bx = vec2(g.t2.y, -g.t1.y) * inverse;
     g.by = vec2(-g.t2.x, g.t1.x) * inverse;
@@ -75,22 +79,41 @@ FUNC Domain make_domain(Primitive p, PrimitiveNormals n, float most_displacement
     g.ny = g.m1 * g.by.x + g.m2 * g.by.y;
     vec2 low = min(min(g.t1, g.t2), vec2(0.0f)), high = max(max(g.t1, g.t2), vec2(0.0f)), extent = high - low;
     // Neighbours overlap a little, and texel coordinates are rounded.
-    vec2 slack = extent * 2e-5f + max(abs(p.tx0), extent) * 4e-7f;
+    vec2 slack = extent * 2e-5f + max(abs(g.t0), extent) * 4e-7f;
     g.low = low - slack;
     g.high = high + slack;
     float lever = (length(g.px) + most_displacement * length(g.nx)) * extent.x +
                   (length(g.py) + most_displacement * length(g.ny)) * extent.y;
-    float placed = (length(g.px) + length(g.py)) * 4e-7f * max(abs(p.tx0.x), abs(p.tx0.y));
+    float placed = (length(g.px) + length(g.py)) * 4e-7f * max(abs(g.t0.x), abs(g.t0.y));
+    vec2 span = abs(g.bx) * extent.x + abs(g.by) * extent.y;
+    g.b_rounding = 2e-6f + 4e-7f * max(span.x, span.y);
     g.margin = rounding + 1e-6f * (lever + most_displacement) + placed;
     return g;
 }
 
 FUNC vec2 barycentrics_at(Domain g, vec2 x) { return g.bx * x.x + g.by * x.y; }
 
-// Whether the rectangle of texel coordinates lies beyond one of the triangle's edges (section 4.2.7, in place of the GJK
-// test): the greatest value of a barycentric, affine over it, is below -slack. What lies beyond the footprint has been
+// Texels relative to the primitive's base.
+FUNC vec2 texels_of(Domain g, vec2 b) { return g.s0 + g.s1 * b.x + g.s2 * b.y; }
+
+// The texels that a rectangle lies over, likewise, from `low` to `high`.
+FUNC void texels_under(Domain g, vec2 middle, vec2 half_size, OUT(vec2) low, OUT(vec2) high) {
+    vec2 at = g.t0 + middle, reach = half_size;
+    if (g.thin) {
+        vec2 bx = abs(g.bx) * half_size.x, by = abs(g.by) * half_size.y;
+        at = texels_of(g, barycentrics_at(g, middle));
+        reach = abs(g.s1) * (bx.x + by.x) + abs(g.s2) * (bx.y + by.y);
+        reach = reach + vec2(1e-4f) + (abs(g.s0) + abs(g.s1) + abs(g.s2)) * 4e-7f;
+    }
+    low = at - reach;
+    high = at + reach;
+}
+
+// Whether the rectangle lies beyond one of the triangle's edges (section 4.2.7, in place of the GJK
+// test): the greatest value of a barycentric, affine over it, is below -margin. What lies beyond the footprint has been
 // clipped away.
-FUNC bool outside_triangle(Domain g, vec2 middle, vec2 half_size, float slack) {
+FUNC bool outside_triangle(Domain g, vec2 middle, vec2 half_size, float margin) {
+    float slack = margin + g.b_rounding;
     vec2 b = barycentrics_at(g, middle);
     vec2 reach = abs(g.bx) * half_size.x + abs(g.by) * half_size.y;
     float reach0 = abs(g.bx.x + g.bx.y) * half_size.x + abs(g.by.x + g.by.y) * half_size.y;

@@ -27,10 +27,15 @@ const float kLeafTurn = 0.15f;    // radians that normals may turn over a leaf t
 const float kLeastBox = 1e-4f;    // size of a box that is not divided below the leaf, of the greatest displacement
 
 // Least and greatest map value over a square of 2^level texels, level > leaf level, or the leaf's by map_bounds for B-splines.
-FUNC vec2 square_values(Primitive p, ObjectData ob, float leaf, int leaf_level, vec2 square, int level) {
-    vec2 cell = primitive_base(p) + square;
+// `texel`: its lowest, of a cell of the leaf's where the domain is thin.
+FUNC vec2 square_values(Primitive p, ObjectData ob, bool thin, float leaf, int leaf_level, vec2 texel, int level) {
+    vec2 cell = primitive_base(p) + texel;
     int taken = max(level, 1);
-    if (leaf == kLeafBspline) {
+    if (thin) {
+        // It reaches into one cell of the leaf's more, and control points lie up to two further out.
+        cell = cell - vec2(leaf_level > 0 || leaf == kLeafBspline ? power_of_two(leaf_level) : 0.0f);
+        if (leaf_level > 0 || leaf == kLeafBspline) taken = level + 2;
+    } else if (leaf == kLeafBspline) {
         // Control points lie up to a leaf further out.
         taken = level > leaf_level ? level + 1 : level + 2;
         cell = cell - vec2(power_of_two(leaf_level));
@@ -40,16 +45,6 @@ FUNC vec2 square_values(Primitive p, ObjectData ob, float leaf, int leaf_level, 
         if (ob.clamp_wrap != 0u || ((ob.map_size.x | ob.map_size.y) & half_mask) == 0) taken = level - 1;
     }
     return taken <= kPyramidLevels ? map_bounds(p.object, taken, cell) : vec2(0.0f, 1.0f);
-}
-
-// The same over the part from f0 to f1 of a leaf's square.
-FUNC vec2 leaf_values(Primitive p, float leaf, vec2 square, float stride, vec2 f0, vec2 f1) {
-    vec2 bounds = vec2(1e30f, -1e30f);
-    for (int i = 0; i < piece_count(leaf); ++i) {
-        vec2 of = piece_bounds(make_piece(p, leaf, square, stride, i), f0, f1);
-        bounds = vec2(min(bounds.x, of.x), max(bounds.y, of.y));
-    }
-    return bounds;
 }
 
 // As displacements. S itself lies within the triangle's own range; leaves that reach over its texels need not.
@@ -143,7 +138,7 @@ FUNC void take_box(Primitive p, Domain g, vec2 middle, DbvhRay r, float entry, I
     if (r.t0 + entry >= r.t_min) take_hit(p, b / max(b.x + b.y, 1.0f), r.t0 + entry, found, hit);
 }
 
-FUNC float edge_slack(DbvhRay r) { return 2.0f * max(r.margin.x, max(r.margin.y, r.margin.z)) + 2e-6f; }
+FUNC float edge_slack(DbvhRay r) { return 2.0f * max(r.margin.x, max(r.margin.y, r.margin.z)); }
 
 // World units: what the normal's turning adds to S over a leaf, to second order. A triangle's plane goes on beyond it by as
 // much as its heights differ.
@@ -158,14 +153,16 @@ FUNC float leaf_bend(float turn, vec2 heights, bool plane) {
 #endif
 
 // Meets the leaf's pieces over the rectangle. False where there may be a hit that was not found.
-FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, float leaf, vec2 square, float stride, vec2 middle,
+FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, LeafCells cells, float leaf, float stride, vec2 middle,
                     vec2 half_size, float bend, bool last, INOUT(bool) found, INOUT(SurfaceHit) hit) {
-    bool decided = true;
-    vec2 f0 = (g.t0 + middle - half_size - square) / stride, f1 = (g.t0 + middle + half_size - square) / stride;
-    for (int i = 0; i < piece_count(leaf); ++i) {
+    bool decided = true, more = true;
+    while (more) {
+        vec2 square = cells.cell, f0 = (cells.low - square) / stride, f1 = (cells.high - square) / stride;
+        int i = cells.piece;
+        more = next_piece(leaf, stride, cells);
         if (leaf == kLeafTriangles && (i == 0 ? f0.x + f0.y > 1.001f : f1.x + f1.y < 0.999f)) continue;
         vec2 of_middle = middle, of_half = half_size;
-        if (leaf == kLeafBspline) {
+        if (leaf == kLeafBspline && !g.thin) {
             vec2 corner = vec2(float(i & 1), float(i >> 1)) * 0.5f, low = max(f0, corner), high = min(f1, corner + vec2(0.5f));
             if (low.x > high.x || low.y > high.y) continue;
             of_middle = square - g.t0 + 0.5f * stride * (low + high);
@@ -199,10 +196,13 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     hit.b = vec2(0.0f, 0.0f);
 #ifndef __cplusplus
     int log_range = log_range_of(fifth_parameter());
-    if (log_range > 0 && is_procedural(p.object)) return intersect_lattice(p, ob, leaf, log_range, pixel, r, hit);
+    if (log_range > 0 && is_procedural(p.object)) {
+        LatticeMap m = lattice_map(procedural_data(p.object), signed_whole(primitive_base(p)));
+        if (lattice_serves(p, m, power_of_two(log_range))) return intersect_lattice(p, ob, m, leaf, log_range, pixel, r, hit);
+    }
 #endif
     Domain g = make_domain(p, primitive_normals(), most, r.rounding);
-    Walk w = start_walk(primitive_base(p), g, r.d, leaf_level);
+    Walk w = start_walk(g.thin ? vec2(0.0f) : primitive_base(p), g, r.d, leaf_level);
     int lowest = max(leaf_level - kSubLevels, w.top - kMostDepth);
     float least = kLeastBox * most + 2.0f * g.margin;
     bool found = false, down = true;
@@ -218,12 +218,14 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         if (outside_triangle(g, middle, half_size, edge_slack(r))) continue;
         vec2 of_leaf = w.level < leaf_level ? leaf_square(w, leaf_level) : square;
         bool by_pieces = w.level < leaf_level || (w.level == leaf_level && leaf != kLeafBspline);
-        vec2 values = by_pieces ? leaf_values(p, leaf, of_leaf, stride, (g.t0 + low - of_leaf) / stride, (g.t0 + high - of_leaf) / stride)
-                                : square_values(p, ob, leaf, leaf_level, square, w.level);
+        LeafCells cells = leaf_cells(p, g, of_leaf, stride, middle, half_size);
+        vec2 texel = g.thin ? cells.first : square;
+        vec2 values = by_pieces ? leaf_values(p, cells, leaf, stride)
+                                : square_values(p, ob, g.thin, leaf, leaf_level, texel, w.level);
         vec2 heights = displacement_range(p, ob, values, leaf == kLeafBilinear && leaf_level == 0);
         DisplacedBox box = displaced_box(g, middle, half_size, heights);
         vec2 span = box_span(box, r.o, r.inverse);
-        note(kNoteStep, r.t0 + span.x, square, 0.0f, size);
+        note(kNoteStep, r.t0 + span.x, texel, 0.0f, size);
         if (!(span.x <= span.y && r.t0 + span.y >= t_min && r.t0 + span.x <= hit.t)) continue;
         vec3 extent = box.high - box.low;
         float largest = max(max(extent.x, extent.y), extent.z);
@@ -240,7 +242,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         down = !last;
         if (last || box.turn <= kLeafTurn) {
             float bend = leaf_bend(box.turn, heights, leaf == kLeafTriangles);
-            down = !meet_leaf(p, ob, g, r, leaf, of_leaf, stride, middle, half_size, bend, last, found, hit) && !last;
+            down = !meet_leaf(p, ob, g, r, cells, leaf, stride, middle, half_size, bend, last, found, hit) && !last;
         }
     }
     return found;

@@ -11,6 +11,7 @@
 #define RELIEVO_DBVH_LATTICE_GLSL
 
 const int kMostLogRange = 9;
+const float kLeastPart = 0.03125f;  // texels
 
 // The greatest power of two not above the parameter `range`, as its exponent; 0 where it is below 8: squares of virtual
 // texels are walked in the lattice's stead.
@@ -76,14 +77,26 @@ FUNC Piece part_piece(Primitive p, LatticeMap m, vec2 corner, Triforce part, flo
     return e;
 }
 
-FUNC bool intersect_lattice(Primitive p, ObjectData ob, float leaf, int log_range, float pixel, DbvhRay r, INOUT(SurfaceHit) hit) {
+// Over lattice space.
+FUNC Primitive over_lattice(Primitive p, LatticeMap m, float range) {
+    p.tx0 = to_lattice(m, p.tx0) * range;
+    p.tx1 = to_lattice(m, p.tx1) * range;
+    p.tx2 = to_lattice(m, p.tx2) * range;
+    return p;
+}
+
+// Whether the triangle's area in lattice space tells places apart, and the finest parts are no smaller than kLeastPart: else
+// the texels themselves are quicker, and true.
+FUNC bool lattice_serves(Primitive p, LatticeMap m, float range) {
+    Primitive q = over_lattice(p, m, range);
+    vec2 part = vec2(1.0f) / (abs(vec2(m.across_y, m.up_x)) * range);
+    return !is_thin(q.tx1 - q.tx0, q.tx2 - q.tx0) && min(part.x, part.y) >= kLeastPart;
+}
+
+FUNC bool intersect_lattice(Primitive p, ObjectData ob, LatticeMap m, float leaf, int log_range, float pixel, DbvhRay r, INOUT(SurfaceHit) hit) {
     ProceduralData data = procedural_data(p.object);
-    LatticeMap m = lattice_map(data, signed_whole(primitive_base(p)));
     float range = power_of_two(log_range);
-    Primitive q = p;  // over lattice space
-    q.tx0 = to_lattice(m, p.tx0) * range;
-    q.tx1 = to_lattice(m, p.tx1) * range;
-    q.tx2 = to_lattice(m, p.tx2) * range;
+    Primitive q = over_lattice(p, m, range);
     Domain g = make_domain(q, primitive_normals(), greatest_displacement(ob), r.rounding);
     PrismAxes axes = prism_axes(g, r);
     vec2 lengths = vec2(length(g.px), length(g.py));  // of an edge

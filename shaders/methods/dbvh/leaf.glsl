@@ -138,6 +138,52 @@ FUNC vec2 piece_bounds(Piece e, vec2 f0, vec2 f1) {
     return bounds + vec2(-bend, bend);
 }
 
+// The leaf's cells that a rectangle of the domain lies over: one, where the domain is that of the texels, up to four where
+// the triangle is thin. Walked piece by piece, a row of cells after the other.
+struct LeafCells {
+    vec2 low, high;    // the texels under the rectangle, relative to the primitive's base
+    vec2 first, last;  // cells, likewise
+    vec2 cell;         // where the walk is,
+    int piece;         // and of the cell's pieces
+};
+
+// `square`: the cell, where it is one.
+FUNC LeafCells leaf_cells(Primitive p, Domain g, vec2 square, float stride, vec2 middle, vec2 half_size) {
+    LeafCells c;
+    texels_under(g, middle, half_size, c.low, c.high);
+    c.first = square;
+    c.last = square;
+    if (g.thin) {
+        vec2 base = primitive_base(p);
+        c.first = floor((base + floor(c.low)) / stride) * stride - base;
+        c.last = floor((base + floor(c.high)) / stride) * stride - base;
+    }
+    c.cell = c.first;
+    c.piece = 0;
+    return c;
+}
+
+FUNC bool next_piece(float leaf, float stride, INOUT(LeafCells) c) {
+    if (++c.piece < piece_count(leaf)) return true;
+    c.piece = 0;
+    c.cell.x = c.cell.x + stride;
+    if (c.cell.x > c.last.x) c.cell = vec2(c.first.x, c.cell.y + stride);
+    return c.cell.y <= c.last.y;
+}
+
+// Least and greatest map value of the leaf under the rectangle.
+FUNC vec2 leaf_values(Primitive p, LeafCells c, float leaf, float stride) {
+    vec2 bounds = vec2(1e30f, -1e30f);
+    bool more = true;
+    while (more) {
+        vec2 f0 = clamp((c.low - c.cell) / stride, vec2(0.0f), vec2(1.0f)), f1 = clamp((c.high - c.cell) / stride, vec2(0.0f), vec2(1.0f));
+        vec2 of = piece_bounds(make_piece(p, leaf, c.cell, stride, c.piece), f0, f1);
+        bounds = vec2(min(bounds.x, of.x), max(bounds.y, of.y));
+        more = next_piece(leaf, stride, c);
+    }
+    return bounds;
+}
+
 struct LeafRoot {
     vec2 b;
     float t;        // from the shifted origin
@@ -145,9 +191,9 @@ struct LeafRoot {
     bool decided;   // inside or not, there is no other
 };
 
-// What Newton's model leaves out within a step of `reach` texels.
+// What Newton's model leaves out within a step of `reach` units of the domain.
 struct LeafDoubt {
-    vec2 shift;    // texels that a root may lie beside where the model has it
+    vec2 shift;    // units that a root may lie beside where the model has it
     float change;  // of the Jacobian's determinant, a part of it
 };
 
@@ -156,7 +202,9 @@ struct LeafDoubt {
 FUNC LeafDoubt leaf_doubt(Domain g, Piece e, float amplitude, vec3 u, vec3 across1, vec3 across2,
                           float det, float bend, vec2 reach) {
     float inverse = 1.0f / max(abs(det), 1e-30f);
-    vec2 by = vec2(dot(u, across1), dot(u, across2)) * inverse, v = abs(g.t1 * by.x + g.t2 * by.y), f = reach / e.stride;
+    vec2 by = vec2(dot(u, across1), dot(u, across2)) * inverse, v = abs(g.t1 * by.x + g.t2 * by.y);
+    vec2 step = abs(g.bx) * reach.x + abs(g.by) * reach.y;  // barycentric
+    vec2 f = (g.thin ? abs(g.s1) * step.x + abs(g.s2) * step.y : reach) / e.stride;
     float xx = abs(e.c2.x) + abs(e.c2.y) + abs(e.c2.z), yy = abs(e.c0.z) + abs(e.c1.z) + abs(e.c2.z);
     float xy = abs(e.c1.y) + 2.0f * (abs(e.c1.z) + abs(e.c2.y)) + 4.0f * abs(e.c2.z), a = abs(amplitude);
     // The normal's turning moves S's second order by `bend` at most, its derivatives by twice that over the step.
@@ -164,12 +212,11 @@ FUNC LeafDoubt leaf_doubt(Domain g, Piece e, float amplitude, vec3 u, vec3 acros
     LeafDoubt doubt;
     doubt.shift = v * (a * (xx * f.x * f.x + yy * f.y * f.y + xy * f.x * f.y)) + (abs(g.t1) * l1 + abs(g.t2) * l2) * bend;
     vec2 slope = vec2(2.0f * xx * f.x + xy * f.y, 2.0f * yy * f.y + xy * f.x) * (a / e.stride);
-    vec2 step = abs(g.bx) * reach.x + abs(g.by) * reach.y;  // barycentric
-    doubt.change = dot(v, slope) + 2.0f * bend * (l1 / max(step.x, 1e-20f) + l2 / max(step.y, 1e-20f));
+    doubt.change = dot(abs(g.s1 * by.x + g.s2 * by.y), slope) + 2.0f * bend * (l1 / max(step.x, 1e-20f) + l2 / max(step.y, 1e-20f));
     return doubt;
 }
 
-// Newton on S along the ray over one piece, from the middle of a rectangle of texel coordinates (relative to vertex 0's).
+// Newton on S along the ray over one piece, from the middle of a rectangle of the domain.
 // `o`: the ray's origin in the frame, near the triangle. `bend`: world units, what the normal's turning adds to S between
 // the middle and the rectangle's border, to second order. `last`: a root will do, whether alone or not.
 FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 half_size, vec3 o, vec3 d, float rounding,
@@ -182,12 +229,12 @@ FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 ha
     root.inside = false;
     root.decided = false;
     for (int i = 0; i < kLeafSteps; ++i) {
-        vec2 f = (g.t0 + x - e.origin) / e.stride, slope = piece_gradient(e, f) * ob.amplitude;
+        vec2 f = (texels_of(g, b) - e.origin) / e.stride, slope = piece_gradient(e, f) * ob.amplitude;
         vec3 n = g.n0 + g.m1 * b.x + g.m2 * b.y;
         float inverse = 1.0f / max(length(n), 1e-20f), h = displacement(ob, piece_value(e, f));
         vec3 u = n * inverse, r = vec3(g.q1x * b.x, 0.0f, 0.0f) + g.e2 * b.y + u * h - o;
-        vec3 s1 = vec3(g.q1x, 0.0f, 0.0f) + (g.m1 - u * dot(u, g.m1)) * (inverse * h) + u * dot(slope, g.t1);
-        vec3 s2 = g.e2 + (g.m2 - u * dot(u, g.m2)) * (inverse * h) + u * dot(slope, g.t2);
+        vec3 s1 = vec3(g.q1x, 0.0f, 0.0f) + (g.m1 - u * dot(u, g.m1)) * (inverse * h) + u * dot(slope, g.s1);
+        vec3 s2 = g.e2 + (g.m2 - u * dot(u, g.m2)) * (inverse * h) + u * dot(slope, g.s2);
         vec3 across1 = cross(s2, d), across2 = cross(d, s1);
         float det = dot(s1, across1);
         vec2 change = vec2(dot(r, across1), dot(r, across2)) * (-1.0f / det);
@@ -215,7 +262,7 @@ FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 ha
             vec2 step = min(abs(g.t1 * change.x + g.t2 * change.y), 1e-3f * half_size);
             vec2 sure = half_size * 1.00002f + vec2(1e-6f) * abs(g.t0 + middle) + step;
             root.inside = abs(off.x) <= sure.x && abs(off.y) <= sure.y &&
-                          in_piece(e, (g.t0 + middle + off - e.origin) / e.stride, kPieceBorder);
+                          in_piece(e, (texels_of(g, root.b) - e.origin) / e.stride, kPieceBorder);
             return root;
         }
         // Texels always follow from the barycentrics: the other way rounding would part the height from its place.
