@@ -115,6 +115,8 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         gpu::ProceduralData& data = procedural_.as<gpu::ProceduralData>()[i];
         data = objects_[i].source ? objects_[i].source->data() : gpu::ProceduralData{};
         data.inverse = vulkan::address_words(objects_[i].inverse.address());
+        // All of an object's triangles or none: where the two walks met, they would leave a gap.
+        if (objects_[i].thin_over_lattice) data.used = gpu::kHeightsOfTexels;
     }
     staging_ = {};  // as large as the largest map; edits are smaller
 }
@@ -151,6 +153,8 @@ void GpuScene::add_primitives(Object& object, const TexelSpace& texels, std::vec
         flag_open_edges(object.mesh, face, uses, *p);
         object.ranges[face] = range_of(object, face);
         set_bounds(object, face, *p);
+        object.thin_over_lattice = object.thin_over_lattice || (object.source && object.source->thin_over_lattice(
+                                                                                       corner_uvs(object.mesh, face)));
         any_searched_ = any_searched_ || (p->flags & gpu::kPrimitiveSearched) != 0;
         primitives.push_back(*p);
     }

@@ -70,6 +70,7 @@ class GpuScene {
         std::unique_ptr<HeightPyramid> pyramid;  // where the method bounds heights
         std::unique_ptr<ProceduralSource> source;  // of procedural heights; then bounds and lookup are not there, and
         vulkan::Buffer inverse;                    // the map is the Gaussianised exemplar
+        bool thin_over_lattice = false;            // one of its triangles is (ProceduralSource)
         vulkan::Image map, opacity, pyramid_image;
         AlbedoImage albedo;
         vulkan::SamplerHandle map_sampler, opacity_sampler;

@@ -76,9 +76,11 @@ struct ProceduralData {
     uvec2 inverse;           // device address of the table that leads back, low word first: kInverseSize pairs of heights, 0
                              // to 65535, the entry's own in the low 16 bits and the next one's in the high ones
     uint seed;
-    uint used;               // 1: the object's heights are procedural; 0: they are its map's
+    uint used;               // kHeightsOfMap: the object's heights are its map's, else they are procedural, and dbvh may walk
+                             // their lattice, or the texels alone (a triangle is too thin over the lattice)
 };
 RELIEVO_CONST int kInverseSize = 4096;
+RELIEVO_CONST uint kHeightsOfMap = 0u, kHeightsOfLattice = 1u, kHeightsOfTexels = 2u;
 
 // One node of the program's own tree of boxes (renderer/wide_bvh.h): up to four children with their boxes. Child i spans
 // origin + 2^exponent * (byte i of low, byte i of high) along each axis, and never less than what it holds.

@@ -26,8 +26,8 @@ constexpr MethodParameter kParameters[] = {
      0, 1, 1, true},
     {"range", "",
      "Procedural heights: parts a side that a lattice triangle is divided into, a power of two from 8 to "
-     "512. 0: "
-     "the source's own texels, true to the surface.",
+     "512. 0: the source's own texels, true to the surface; they stand in, too, where parts would be far "
+     "smaller than a texel, or a triangle is too thin to be divided.",
      0, 512, 0, false, {}, kRanges},
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <stdexcept>
 
@@ -18,10 +19,17 @@ using glm::ivec2;
 
 constexpr double kMostTexels = 0x1p22;  // shaders keep them as floats, and their fractions apart
 constexpr int kPiecesASide = 8;  // of a triangle's bounding rectangle, for its bounds
+// Lattice coordinates, in single precision, tell places of a triangle apart down to this width, a thousandth of the finest
+// part of the coarsest range, and up to this many times as long.
+constexpr double kLeastWidth = 1e-3 / 8, kMostAspect = 4096;
 
 glm::uvec2 fixed_point(double value) {
     const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(std::llround(value * 0x1p32)));
     return {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
+}
+
+double real_of(const glm::uvec2& fixed) {
+    return static_cast<double>(static_cast<std::int32_t>(fixed.y)) + static_cast<double>(fixed.x) / 0x1p32;
 }
 
 // Thesis equations 4.6 and 4.7, with a row of the matrix for each lattice vector: of the triangle size times
@@ -39,7 +47,7 @@ gpu::ProceduralData make_data(const Procedural& p, int width, int height) {
     data.uv_scale = glm::vec2(scale);
     data.uv_start = glm::vec2(0.5 - p.offset / p.scale);
     data.seed = p.seed;
-    data.used = 1;
+    data.used = gpu::kHeightsOfLattice;
     return data;
 }
 
@@ -159,6 +167,17 @@ std::array<dvec2, 3> ProceduralSource::texels_at(const std::array<dvec2, 3>& uv)
                 "texture coordinates times scale reach beyond 2^22 texels of the exemplar");
     }
     return t;
+}
+
+bool ProceduralSource::thin_over_lattice(const std::array<dvec2, 3>& uv) const {
+    const gpu::ProceduralData& data = state_->view.data;
+    const dvec2 up(real_of(data.step_xy), real_of(data.step_yy)), across(0, real_of(data.step_yx));
+    const std::array<dvec2, 3> t = texels_at(uv);
+    const auto edge = [&](const dvec2& texels) { return across * texels.x + up * texels.y; };
+    const dvec2 a = edge(t[1] - t[0]), b = edge(t[2] - t[0]);
+    const double area = std::abs(a.x * b.y - a.y * b.x),
+                 longest = std::max({glm::length(a), glm::length(b), glm::length(b - a)});
+    return !(area >= kLeastWidth * longest && area * kMostAspect >= longest * longest && longest > 0);
 }
 
 dvec2 ProceduralSource::uv_at(const dvec2& texel) const {

@@ -48,6 +48,9 @@ class ProceduralSource {
     // Of a triangle's corners. std::invalid_argument where they reach beyond 2^22 texels.
     std::array<glm::dvec2, 3> texels_at(const std::array<glm::dvec2, 3>& uv) const;
     glm::dvec2 uv_at(const glm::dvec2& texel) const;
+    // Whether the triangle is so thin in the lattice's coordinates that a walk there cannot tell its places apart. Throws as
+    // texels_at.
+    bool thin_over_lattice(const std::array<glm::dvec2, 3>& uv) const;
 
     // Whole texels (below 2^22 either way): the heights that the surface is bilinear between.
     double texel(const glm::ivec2& at) const;

@@ -228,6 +228,7 @@ void JudgedCase::decide(const Method& method, Cell& cell) const {
         const auto right = right_failures(view.errors);
         off += right.empty() ? 0 : 1;
         if (promise.right) add_failures(cell, view.view, right);
+        if (promise.near) add_failures(cell, view.view, near_failures(view.errors));
         if (promise.sampled) add_failures(cell, view.view, sampled_failures(view.errors, case_.sampled));
     }
     const KnownLimit* limit = find_known_limit(method.name, entry_.name);

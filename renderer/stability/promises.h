@@ -18,6 +18,7 @@ struct Promise {
     std::string_view method;
     std::map<std::string, double> parameters;  // that it is run with; the rest are the registry's defaults
     bool right = false;                        // on every case that float can represent (right_failures)
+    bool near = false;                         // on the same cases (near_failures)
     bool may_refuse = false;                   // in words, what would take too much memory
     bool sampled = false;                      // on smooth cases (sampled_failures)
 };
@@ -26,6 +27,7 @@ Promise promise_of(std::string_view method);
 // One sentence for each limit that is broken; empty: all are kept. Depth errors are told in the unit that
 // they were compared in (float_floor.h).
 std::vector<std::string> right_failures(const ImageComparison& errors);
+std::vector<std::string> near_failures(const ImageComparison& errors);
 std::vector<std::string> sampled_failures(const ImageComparison& errors, Sampled held_to);
 
 // A case that a method is known to get wrong, although it promises otherwise. To be removed when it no longer

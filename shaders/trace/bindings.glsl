@@ -55,7 +55,7 @@ vec2 pyramid_node(uint object, ivec2 map_size, int level, ivec2 cell) {
 
 #include "exemplar.glsl"
 
-bool is_procedural(uint object) { return kProcedural && procedural_data(object).used != 0u; }
+bool is_procedural(uint object) { return kProcedural && procedural_data(object).used != kHeightsOfMap; }
 
 // Heights of the texels (0,0) (1,0) (0,1) (1,1) of a cell between texel centres.
 vec4 height_quad(uint object, vec2 cell) {

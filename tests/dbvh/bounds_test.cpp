@@ -21,7 +21,7 @@ class Trial {
 
     void check_square(float leaf) {
         const Primitive& p = primitive_;
-        const Domain g = make_domain(p, subject.normals, greatest_displacement(subject.object), 0);
+        const Domain g = make_domain(p, subject.normals, is_thin(p), greatest_displacement(subject.object), 0);
         thin += g.thin ? 1 : 0;
         const int leaf_level = whole(0, 2), level = leaf_level + whole(0, 5);
         const float size = std::ldexp(1.0f, level), stride = std::ldexp(1.0f, leaf_level);
@@ -64,8 +64,9 @@ class Trial {
     // Parts of a lattice whose finest ones are a unit of the domain's coordinates large.
     void check_part() {
         const Primitive& p = primitive_;
-        const Domain g = make_domain(p, subject.normals, greatest_displacement(subject.object), 0);
-        if (g.thin) return;  // the texels are walked in the lattice's stead
+        const Domain g = make_domain(p, subject.normals, false, greatest_displacement(subject.object), 0);
+        const double width = std::abs(double(cross2(g.t1, g.t2))) / std::max(length(g.t1), std::max(length(g.t2), length(g.t2 - g.t1)));
+        if (!(width > 1e-3) || !(width * 4096 > double(length(g.high - g.low)))) return;  // the texels are walked in the lattice's stead
         const PrismAxes axes = prism_axes(g, {});
         const float size = std::ldexp(1.0f, whole(0, 5));
         const vec2 inside = vec2(barycentrics()), at = g.t0 + g.t1 * inside.x + g.t2 * inside.y;
@@ -170,7 +171,8 @@ class Trial {
         for (int i = 0; i < piece_count(leaf); ++i) {
             const Piece e = make_piece(primitive_, leaf, square, stride, i);
             const vec2 in = leaf == kLeafBspline ? f + vec2(0.5f) - vec2(float(i & 1), float(i >> 1)) : f;
-            if (in_piece(e, in, i + 1 < piece_count(leaf) ? 0 : 1e-5f)) return piece_value(e, in);
+            const float slack = i + 1 < piece_count(leaf) ? 0 : 1e-5f;
+            if (in_piece(e, in, vec2(slack), slack)) return piece_value(e, in);
         }
         ADD_FAILURE() << "no piece holds its square's point";
         return 0;

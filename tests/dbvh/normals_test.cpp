@@ -25,7 +25,7 @@ class LeafNormals : public testing::Test {
     }
     // At texel coordinates relative to the primitive's base.
     vec3 normal(float leaf, float level, vec2 x) const {
-        const Domain g = make_domain(primitive_, subject.normals, 1, 0);
+        const Domain g = make_domain(primitive_, subject.normals, false, 1, 0);
         return shading_normal(primitive_, subject.normals, subject.object, vec4(leaf, level, 0, 0),
                               barycentrics_at(g, x - primitive_.tx0));
     }
@@ -86,7 +86,7 @@ TEST_F(LeafNormals, BSplinesAreSmoothAndFollowTheirOwnSlope) {
 }
 
 TEST_F(LeafNormals, BilinearLeavesHaveThatOfTheSurface) {
-    const Domain g = make_domain(primitive_, subject.normals, 1, 0);
+    const Domain g = make_domain(primitive_, subject.normals, false, 1, 0);
     const vec2 x = square_in(primitive_) + vec2(0.3f, 0.4f);
     const vec3 n = displaced_normal(primitive_, subject.normals, subject.object,
                                     barycentrics_at(g, x - primitive_.tx0), false);

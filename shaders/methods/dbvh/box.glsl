@@ -43,12 +43,13 @@ FUNC vec3 in_frame(Primitive p, vec3 v) {
     return vec3(dot(v, p.tangent), dot(v, frame_bitangent(p)), dot(v, p.ng));
 }
 
-FUNC bool is_thin(vec2 t1, vec2 t2) {
+FUNC bool is_thin(Primitive p) {
+    vec2 t1 = p.tx1 - p.tx0, t2 = p.tx2 - p.tx0;
     float longest = max(max(length(t1), length(t2)), length(t2 - t1)), area = abs(cross2(t1, t2));
     return !(area >= kLeastWidth * longest && area * kMostAspect >= longest * longest && longest > 0.0f);
 }
 
-FUNC Domain make_domain(Primitive p, PrimitiveNormals n, float most_displacement, float rounding) {
+FUNC Domain make_domain(Primitive p, PrimitiveNormals n, bool thin, float most_displacement, float rounding) {
     Domain g;
     g.s0 = p.tx0;
     g.s1 = p.tx1 - p.tx0;
@@ -56,7 +57,7 @@ FUNC Domain make_domain(Primitive p, PrimitiveNormals n, float most_displacement
     g.t0 = g.s0;
     g.t1 = g.s1;
     g.t2 = g.s2;
-    g.thin = is_thin(g.s1, g.s2);
+    g.thin = thin;
     if (g.thin) {
         vec2 texels = abs(g.s1) + abs(g.s2);
         float side = max(1.02f * max(texels.x, texels.y), 1.0f);

@@ -197,11 +197,12 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
 #ifndef __cplusplus
     int log_range = log_range_of(fifth_parameter());
     if (log_range > 0 && is_procedural(p.object)) {
-        LatticeMap m = lattice_map(procedural_data(p.object), signed_whole(primitive_base(p)));
-        if (lattice_serves(p, m, power_of_two(log_range))) return intersect_lattice(p, ob, m, leaf, log_range, pixel, r, hit);
+        ProceduralData data = procedural_data(p.object);
+        LatticeMap m = lattice_map(data, signed_whole(primitive_base(p)));
+        if (lattice_serves(data, m, power_of_two(log_range))) return intersect_lattice(p, ob, m, leaf, log_range, pixel, r, hit);
     }
 #endif
-    Domain g = make_domain(p, primitive_normals(), most, r.rounding);
+    Domain g = make_domain(p, primitive_normals(), is_thin(p), most, r.rounding);
     Walk w = start_walk(g.thin ? vec2(0.0f) : primitive_base(p), g, r.d, leaf_level);
     int lowest = max(leaf_level - kSubLevels, w.top - kMostDepth);
     float least = kLeastBox * most + 2.0f * g.margin;

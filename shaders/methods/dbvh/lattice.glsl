@@ -85,19 +85,17 @@ FUNC Primitive over_lattice(Primitive p, LatticeMap m, float range) {
     return p;
 }
 
-// Whether the triangle's area in lattice space tells places apart, and the finest parts are no smaller than kLeastPart: else
-// the texels themselves are quicker, and true.
-FUNC bool lattice_serves(Primitive p, LatticeMap m, float range) {
-    Primitive q = over_lattice(p, m, range);
+// Whether the finest parts are no smaller than kLeastPart: else the texels themselves are quicker, and true.
+FUNC bool lattice_serves(ProceduralData data, LatticeMap m, float range) {
     vec2 part = vec2(1.0f) / (abs(vec2(m.across_y, m.up_x)) * range);
-    return !is_thin(q.tx1 - q.tx0, q.tx2 - q.tx0) && min(part.x, part.y) >= kLeastPart;
+    return data.used == kHeightsOfLattice && min(part.x, part.y) >= kLeastPart;
 }
 
 FUNC bool intersect_lattice(Primitive p, ObjectData ob, LatticeMap m, float leaf, int log_range, float pixel, DbvhRay r, INOUT(SurfaceHit) hit) {
     ProceduralData data = procedural_data(p.object);
     float range = power_of_two(log_range);
     Primitive q = over_lattice(p, m, range);
-    Domain g = make_domain(q, primitive_normals(), greatest_displacement(ob), r.rounding);
+    Domain g = make_domain(q, primitive_normals(), false, greatest_displacement(ob), r.rounding);
     PrismAxes axes = prism_axes(g, r);
     vec2 lengths = vec2(length(g.px), length(g.py));  // of an edge
     LatticeWalk w;

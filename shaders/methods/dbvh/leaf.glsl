@@ -10,7 +10,8 @@
 const float kLeafBox = 0.0f, kLeafTriangles = 1.0f, kLeafBilinear = 2.0f, kLeafBspline = 3.0f;
 const int kLeafSteps = 8;           // of Newton
 const float kSameSheet = 0.6f;      // where the Jacobian's determinant changes by less, of itself, a root stands alone
-const float kPieceBorder = 1e-3f;   // squares that a root may lie outside its piece
+const float kPieceBorder = 1e-3f;   // squares that a root may lie outside its piece at most,
+const float kLeastBorder = 1e-5f;   // and at least
 
 // A piece of the height: biquadratic in f, which goes from 0 to 1 over a square of `stride` texels at `origin`.
 struct Piece {
@@ -119,9 +120,10 @@ FUNC vec2 leaf_gradient(Primitive p, float leaf, float stride, vec2 x) {
     return piece_gradient(e, (x - e.origin) / stride);
 }
 
-FUNC bool in_piece(Piece e, vec2 f, float slack) {
-    return min(f.x - e.low.x, f.y - e.low.y) >= -slack && min(e.high.x - f.x, e.high.y - f.y) >= -slack &&
-           (f.x + f.y - 1.0f) * e.half_plane >= -slack;
+// `slack`: at its sides; `diagonal`: where it is half a square.
+FUNC bool in_piece(Piece e, vec2 f, vec2 slack, float diagonal) {
+    vec2 inside = min(f - e.low, e.high - f) + slack;
+    return min(inside.x, inside.y) >= 0.0f && (f.x + f.y - 1.0f) * e.half_plane >= -diagonal;
 }
 
 // Least and greatest map value that a piece takes between two corners: those of its corners, or of the control points.
@@ -187,7 +189,7 @@ FUNC vec2 leaf_values(Primitive p, LeafCells c, float leaf, float stride) {
 struct LeafRoot {
     vec2 b;
     float t;        // from the shifted origin
-    bool inside;    // converged to a place in the rectangle and the piece
+    bool inside;    // converged to a place in the piece
     bool decided;   // inside or not, there is no other
 };
 
@@ -197,10 +199,21 @@ struct LeafDoubt {
     float change;  // of the Jacobian's determinant, a part of it
 };
 
-// Where the model is that of one place, with unit normal u there. The height's second
+FUNC float size_of(Domain g) { return max(g.q1x, max(abs(g.e2.x), abs(g.e2.y))); }
+
+// What rounding may do to a place of S within the triangle, world units.
+FUNC float place_rounding(Domain g, float rounding) { return 0.25f * rounding + 1.2e-7f * size_of(g); }
+
+// And to the texel there: what a move of `blur` within the triangle's plane changes, and the sum of three edges rounds.
+FUNC vec2 texel_rounding(Domain g, float blur) {
+    vec2 along = g.s1 / g.q1x, across = (g.s2 - along * g.e2.x) / g.e2.y;
+    return (abs(along) + abs(across)) * blur + (abs(g.s0) + abs(g.s1) + abs(g.s2)) * 3e-7f;
+}
+
+// Where the model is that of one place, with unit normal u there. `blur`: place_rounding. The height's second
 // differences are exact for a bilinear square: with u held, the error is u times its cross term.
 FUNC LeafDoubt leaf_doubt(Domain g, Piece e, float amplitude, vec3 u, vec3 across1, vec3 across2,
-                          float det, float bend, vec2 reach) {
+                          float det, float bend, float blur, vec2 reach) {
     float inverse = 1.0f / max(abs(det), 1e-30f);
     vec2 by = vec2(dot(u, across1), dot(u, across2)) * inverse, v = abs(g.t1 * by.x + g.t2 * by.y);
     vec2 step = abs(g.bx) * reach.x + abs(g.by) * reach.y;  // barycentric
@@ -210,7 +223,7 @@ FUNC LeafDoubt leaf_doubt(Domain g, Piece e, float amplitude, vec3 u, vec3 acros
     // The normal's turning moves S's second order by `bend` at most, its derivatives by twice that over the step.
     float l1 = length(across1) * inverse, l2 = length(across2) * inverse;
     LeafDoubt doubt;
-    doubt.shift = v * (a * (xx * f.x * f.x + yy * f.y * f.y + xy * f.x * f.y)) + (abs(g.t1) * l1 + abs(g.t2) * l2) * bend;
+    doubt.shift = v * (a * (xx * f.x * f.x + yy * f.y * f.y + xy * f.x * f.y)) + (abs(g.t1) * l1 + abs(g.t2) * l2) * (bend + blur);
     vec2 slope = vec2(2.0f * xx * f.x + xy * f.y, 2.0f * yy * f.y + xy * f.x) * (a / e.stride);
     doubt.change = dot(abs(g.s1 * by.x + g.s2 * by.y), slope) + 2.0f * bend * (l1 / max(step.x, 1e-20f) + l2 / max(step.y, 1e-20f));
     return doubt;
@@ -222,6 +235,7 @@ FUNC LeafDoubt leaf_doubt(Domain g, Piece e, float amplitude, vec3 u, vec3 acros
 FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 half_size, vec3 o, vec3 d, float rounding,
                           float bend, bool last) {
     LeafRoot root;
+    float blur = place_rounding(g, rounding);
     vec2 b = barycentrics_at(g, middle), x = g.t1 * b.x + g.t2 * b.y, reach = half_size * 1.001f + vec2(1e-6f) * abs(g.t0 + middle);
     vec2 furthest = reach * 1.25f;
     root.b = b;
@@ -236,14 +250,16 @@ FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 ha
         vec3 s1 = vec3(g.q1x, 0.0f, 0.0f) + (g.m1 - u * dot(u, g.m1)) * (inverse * h) + u * dot(slope, g.s1);
         vec3 s2 = g.e2 + (g.m2 - u * dot(u, g.m2)) * (inverse * h) + u * dot(slope, g.s2);
         vec3 across1 = cross(s2, d), across2 = cross(d, s1);
-        float det = dot(s1, across1);
-        vec2 change = vec2(dot(r, across1), dot(r, across2)) * (-1.0f / det);
+        float det = dot(s1, across1), along = dot(r, d);
+        // What lies along the ray would only round away what lies aside: over slivers, the whole of it.
+        vec3 aside = r - d * along;
+        vec2 change = vec2(dot(aside, across1), dot(aside, across2)) * (-1.0f / det);
         vec2 off = x + g.t1 * change.x + g.t2 * change.y - middle;
         if (!(max(abs(off.x), abs(off.y)) <= 1e9f)) return root;  // NaN too
         bool outside = abs(off.x) > reach.x || abs(off.y) > reach.y, beyond = abs(off.x) > furthest.x || abs(off.y) > furthest.y;
         if (i == 0 || outside) {
             float far = i == 0 ? 1.0f : 2.25f;
-            LeafDoubt doubt = leaf_doubt(g, e, ob.amplitude, u, across1, across2, det, bend * far * far, reach * far);
+            LeafDoubt doubt = leaf_doubt(g, e, ob.amplitude, u, across1, across2, det, bend * far * far, blur, reach * far);
             if (abs(off.x) > reach.x + doubt.shift.x || abs(off.y) > reach.y + doubt.shift.y) {
                 root.decided = true;
                 return root;
@@ -251,18 +267,15 @@ FUNC LeafRoot solve_piece(Domain g, ObjectData ob, Piece e, vec2 middle, vec2 ha
             if (i == 0) root.decided = doubt.change < kSameSheet;
             if (!(root.decided || last)) return root;
         }
-        float along = dot(r, d);
-        vec3 aside = r - d * along;
-        // Where the ray grazes, rounding keeps the steps from shrinking further.
-        float enough = i < 4 ? 1e-7f : 4e-6f;
-        if (dot(aside, aside) <= 0.0625f * rounding * rounding || max(abs(change.x), abs(change.y)) <= enough) {
+        // Where the ray grazes, or the triangle is a sliver, rounding keeps the steps from shrinking further.
+        float enough = i < 4 ? 1e-7f : 4e-6f, near = i < 4 ? 0.25f * rounding : blur;
+        if (dot(aside, aside) <= near * near || max(abs(change.x), abs(change.y)) <= enough) {
             root.b = b + change;
             root.t = along + dot(s1, d) * change.x + dot(s2, d) * change.y;
-            // As far outside as rounding or the last step may have put it: further, the neighbour's height counts.
-            vec2 step = min(abs(g.t1 * change.x + g.t2 * change.y), 1e-3f * half_size);
-            vec2 sure = half_size * 1.00002f + vec2(1e-6f) * abs(g.t0 + middle) + step;
-            root.inside = abs(off.x) <= sure.x && abs(off.y) <= sure.y &&
-                          in_piece(e, (texels_of(g, root.b) - e.origin) / e.stride, kPieceBorder);
+            // As far outside the piece as rounding or the last step may have put it: further, the neighbour's height counts.
+            vec2 texels = min(abs(g.s1 * change.x + g.s2 * change.y), vec2(1e-3f) * half_size) + texel_rounding(g, blur);
+            vec2 border = min(vec2(kLeastBorder) + texels / abs(e.stride), vec2(kPieceBorder));
+            root.inside = in_piece(e, (texels_of(g, root.b) - e.origin) / e.stride, border, kPieceBorder);
             return root;
         }
         // Texels always follow from the barycentrics: the other way rounding would part the height from its place.
