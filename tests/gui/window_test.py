@@ -21,7 +21,7 @@ FAR = (62, 48, 110, 96)  # sky
 
 class Case:
     def __init__(self, options, folder):
-        self.relievo, self.folder = options.relievo, folder
+        self.relievo, self.assets, self.folder = options.relievo, options.assets, folder
         for part in ("scenes/asteroid.json", "meshes/asteroid.obj", "maps/asteroid.png"):
             target = os.path.join(folder, part)
             os.makedirs(os.path.dirname(target), exist_ok=True)
