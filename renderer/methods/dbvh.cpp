@@ -41,11 +41,11 @@ const Method kDbvh{
     "heights. "
     "B-splines, and leaves above level 0, may reach beyond a base triangle's box, which cuts them; sizes "
     "that 2^level "
-    "does not divide tear where the map repeats. At most 32768 boxes a triangle.",
+    "does not divide tear where the map repeats. At most 131072 boxes a triangle.",
     GeometryKind::surface_bounds,
     true,
     kParameters,
-    32768,
+    131072,
 };
 
 }  // namespace relievo

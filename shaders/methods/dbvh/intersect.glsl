@@ -20,7 +20,7 @@
 #include "box.glsl"
 #include "leaf.glsl"
 
-const int kMaxBoxes = 32768;      // a triangle: beyond, the best of what was found counts
+const int kMaxBoxes = 131072;      // a triangle: beyond, the best of what was found counts
 const int kMostDepth = 28;        // of the tree
 const int kSubLevels = 8;         // below the leaf
 const float kLeafTurn = 0.15f;    // radians that normals may turn over a leaf that is solved
