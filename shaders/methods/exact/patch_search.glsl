@@ -7,8 +7,8 @@
 // whose box (along the ray and across it) the ray misses are dropped. A patch of at most a texel is
 // solved by Newton on S, cell by cell, so that what is solved is smooth, where bounds of the Jacobian say that it holds one
 // root at most (Krawczyk 1969); else it is divided on. No stack: the patch's place among those of its depth is a Morton
-// code.
-const int kMaxPatches = 32768;       // a triangle: beyond, the best of what was found counts
+// code, its bits turned so that the base triangle's near side comes first: what lies behind a hit is not divided.
+const int kMaxPatches = 131072;      // a triangle: beyond, the best of what was found counts
 const int kPatchDepth = 15;
 const float kPatchTexels = 1.0f;     // of a patch that is solved
 const float kLeastLength = 0.05f;    // of N: below, it is taken to point anywhere
@@ -238,13 +238,14 @@ FUNC bool search_patches(Primitive p, PrimitiveNormals n, ObjectData ob, vec3 o,
     float texel_rounding = 4e-7f * max(far.x, far.y);
     float least = kLeastPatch * max(abs(p.w_low), abs(p.w_high)) + 2.0f * rounding;
     bool found = false;
-    uint code = 0u;
+    uint turned = (f.p1.z < 0.0f ? 0x55555555u : 0u) | (f.p2.z < 0.0f ? 0xaaaaaaaau : 0u), code = 0u;
     int depth = 0;
     hit.t = t_max;
     hit.b = vec2(0.0f, 0.0f);
     for (int i = 0; i < kMaxPatches; ++i) {
         float side = power_of_two(-depth);
-        vec2 corner = vec2(float(even_bits(code)), float(even_bits(code >> 1u))) * side;
+        uint place = code ^ (turned & ((1u << uint(2 * depth)) - 1u));
+        vec2 corner = vec2(float(even_bits(place)), float(even_bits(place >> 1u))) * side;
         bool down = false;
         if (corner.x + corner.y < 1.0f) {
             vec2 low, high;
