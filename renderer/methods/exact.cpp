@@ -21,7 +21,7 @@ const Method kExact{
     GeometryKind::surface_bounds,
     true,
     kParameters,
-    32768,
+    131072,
 };
 
 }  // namespace relievo
