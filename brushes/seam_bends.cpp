@@ -61,12 +61,6 @@ void set_column(const SeamBend& bend, Map& map) {
     for (int k = 0; k < 2; ++k) map.copy(bend.inside[1 - k], bend.gutter[k], shift);
 }
 
-template <typename Index>
-void sort_unique(Index& index) {
-    std::sort(index.begin(), index.end());
-    index.erase(std::unique(index.begin(), index.end()), index.end());
-}
-
 }  // namespace
 
 SeamBends::SeamBends(const SeamTable& table, int width, int height)
@@ -129,18 +123,15 @@ std::vector<std::uint32_t> SeamBends::changed(const StrokeTiles& stroke) const {
     for (const std::uint32_t tile : stroke.dirty()) {
         const TexelRect dirty = stroke.tile(tile)->dirty;
         const auto holds = [&](std::uint32_t texel) {
-            const int x = static_cast<int>(texel % width_), y = static_cast<int>(texel / width_);
-            return x >= dirty.x0 && x < dirty.x1 && y >= dirty.y0 && y < dirty.y1;
+            return dirty.contains(static_cast<int>(texel % width_), static_cast<int>(texel / width_));
         };
-        for (auto it = std::lower_bound(bends_of_tile_.begin(), bends_of_tile_.end(),
-                                        std::pair{tile, std::uint32_t{0}});
-             it != bends_of_tile_.end() && it->first == tile; ++it) {
-            const SeamBend& bend = bends_[it->second];
+        visit_tile(bends_of_tile_, tile, [&](std::uint32_t i) {
+            const SeamBend& bend = bends_[i];
             bool read = false;
             for (int k = 0; k < 2; ++k)
                 read = read || holds(bend.inside[k]) || holds(bend.ahead[k]) || holds(bend.behind[k]);
-            if (read) found.push_back(it->second);
-        }
+            if (read) found.push_back(i);
+        });
     }
     sort_unique(found);
     // A corner and its columns hold together: one of them alone would tear the seams' ends.

@@ -22,12 +22,12 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "brushes/height_map.h"
 #include "brushes/stroke_tiles.h"
 #include "brushes/surface.h"
+#include "brushes/tile_index.h"
 
 namespace relievo {
 
@@ -56,8 +56,7 @@ class SeamBends {
     std::vector<SeamCorner> corners_;
     std::vector<std::uint32_t> corner_of_;  // of each bend, or kNone
     std::vector<std::uint32_t> gutters_;    // sorted
-    std::vector<std::pair<std::uint32_t, std::uint32_t>>
-        bends_of_tile_;  // (tile, bend): what it reads; sorted
+    TileIndex bends_of_tile_;               // what each reads
 };
 
 }  // namespace relievo

@@ -9,27 +9,6 @@
 #include "brushes/seam_solver.h"
 
 namespace relievo {
-namespace {
-
-template <typename Index, typename Visit>
-void visit_tile(const Index& index, std::uint32_t tile, Visit&& visit) {
-    for (auto it = std::lower_bound(index.begin(), index.end(), std::pair{tile, std::uint32_t{0}});
-         it != index.end() && it->first == tile; ++it)
-        visit(it->second);
-}
-
-template <typename Index>
-void sort_unique(Index& index) {
-    std::sort(index.begin(), index.end());
-    index.erase(std::unique(index.begin(), index.end()), index.end());
-}
-
-bool contains(const TexelRect& rect, int x, int y) {
-    return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
-}
-
-}  // namespace
-
 Seams::Seams(const Surface& surface, int width, int height)
     : width_(static_cast<std::uint32_t>(width)),
       height_(static_cast<std::uint32_t>(height)),
@@ -158,7 +137,7 @@ void Seams::copy_changed(StrokeTiles& stroke, Across across) const {
         visit_tile(copies_of_tile_, tile, [&](std::uint32_t i) {
             if (across == Across::slopes && shifted_[i]) return;
             const Texel from = place(copies_[i].source), to = place(copies_[i].gutter);
-            if (contains(dirty, from.x, from.y) || contains(dirty, to.x, to.y))
+            if (dirty.contains(from.x, from.y) || dirty.contains(to.x, to.y))
                 stroke.copy(from.x, from.y, to.x, to.y);
         });
     }
@@ -171,7 +150,7 @@ void Seams::extend_islands(StrokeTiles& stroke) const {
         visit_tile(loose_of_tile_, tile, [&](std::uint32_t i) {
             const auto& sources = loose_[i].sources;
             if (std::any_of(sources.begin(), sources.end(),
-                            [&](const Weighted& s) { return contains(dirty, s.at.x, s.at.y); }))
+                            [&](const Weighted& s) { return dirty.contains(s.at.x, s.at.y); }))
                 changed.push_back(i);
         });
     }

@@ -20,6 +20,7 @@
 #include "brushes/seam_bends.h"
 #include "brushes/stroke_tiles.h"
 #include "brushes/surface.h"
+#include "brushes/tile_index.h"
 
 namespace relievo {
 
@@ -49,7 +50,6 @@ class Seams {
 
   private:
     // What lies in each tile: (tile, item), sorted.
-    using TileIndex = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     struct Texel {
         std::int16_t x, y;
     };

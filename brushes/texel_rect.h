@@ -21,6 +21,7 @@ struct TexelRect {
                         : TexelRect{std::min(x0, r.x0), std::min(y0, r.y0), std::max(x1, r.x1),
                                     std::max(y1, r.y1)};
     }
+    bool contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
     bool overlaps(const TexelRect& r) const { return x0 < r.x1 && r.x0 < x1 && y0 < r.y1 && r.y0 < y1; }
     std::int64_t area() const { return empty() ? 0 : std::int64_t{width()} * height(); }
     bool operator==(const TexelRect&) const = default;

@@ -28,10 +28,6 @@ glm::uvec2 fixed_point(double value) {
     return {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
 }
 
-double real_of(const glm::uvec2& fixed) {
-    return static_cast<double>(static_cast<std::int32_t>(fixed.y)) + static_cast<double>(fixed.x) / 0x1p32;
-}
-
 // Thesis equations 4.6 and 4.7, with a row of the matrix for each lattice vector: of the triangle size times
 // (1/2, sqrt(3)/2) and (1, 0). Texels stand at (texel + 1/2) / size.
 gpu::ProceduralData make_data(const Procedural& p, int width, int height) {
@@ -171,7 +167,8 @@ std::array<dvec2, 3> ProceduralSource::texels_at(const std::array<dvec2, 3>& uv)
 
 bool ProceduralSource::thin_over_lattice(const std::array<dvec2, 3>& uv) const {
     const gpu::ProceduralData& data = state_->view.data;
-    const dvec2 up(real_of(data.step_xy), real_of(data.step_yy)), across(0, real_of(data.step_yx));
+    using procedural_double::fixed_real;
+    const dvec2 up(fixed_real(data.step_xy), fixed_real(data.step_yy)), across(0, fixed_real(data.step_yx));
     const std::array<dvec2, 3> t = texels_at(uv);
     const auto edge = [&](const dvec2& texels) { return across * texels.x + up * texels.y; };
     const dvec2 a = edge(t[1] - t[0]), b = edge(t[2] - t[0]);

@@ -41,6 +41,8 @@ struct LatticePlace {
     bool beyond;
 };
 
+FUNC real fixed_real(uvec2 v) { return real(int(v.y)) + real(v.x) * real(1.0 / 4294967296.0); }
+
 // n * step, of fixed point numbers.
 FUNC uvec2 fixed_times(int n, uvec2 step) {
     uint high, low;
@@ -184,8 +186,8 @@ FUNC vec2 procedural_bounds(Source object, ivec2 first, ivec2 extent) {
     lattice_coordinates(data, first, x, y);
     LatticePlace place = lattice_place(x, y);
     vec2 size = vec2(real(extent.x), real(extent.y));
-    real up_x = real(int(data.step_xy.y)) + real(data.step_xy.x) * real(1.0 / 4294967296.0);
-    real across_y = real(int(data.step_yx.y)) + real(data.step_yx.x) * real(1.0 / 4294967296.0);
+    real up_x = fixed_real(data.step_xy);
+    real across_y = fixed_real(data.step_yx);
     // The lattice's shape: up, the second coordinate falls by half of what the first gains.
     vec3 half_size = real(0.5f) * vec3(size.y * up_x, size.x * across_y + size.y * up_x * real(0.5f),
                                        size.x * across_y + size.y * up_x * real(0.5f));

@@ -78,8 +78,6 @@ struct LatticeMap {
     real up_x, across_y, up_y;  // change of the coordinates per texel, as in ProceduralData
 };
 
-FUNC real fixed_real(uvec2 v) { return real(int(v.y)) + real(v.x) * real(1.0 / 4294967296.0); }
-
 FUNC LatticeMap lattice_map(ProceduralData data, ivec2 texel) {
     LatticeMap m;
     uvec2 x, y;

@@ -75,7 +75,10 @@ struct SecondaryRay {
     vec3 radiance;  // reflected to the viewer
 };
 
-uint secondary_rays(bool preview) { return frame.light_count + (kSky && kShadows && !preview ? 1u : 0u); }
+// Else its diffuse light is taken from all around, unshadowed.
+bool sky_is_traced(bool preview) { return kSky && kShadows && !preview; }
+
+uint secondary_rays(bool preview) { return frame.light_count + (sky_is_traced(preview) ? 1u : 0u); }
 
 // The sky's diffuse light by one cosine-distributed direction a sample.
 bool sky_ray(Shading s, uint pixel, out SecondaryRay ray) {
@@ -103,7 +106,7 @@ bool secondary_ray(Shading s, uint i, uint pixel, bool preview, out SecondaryRay
 vec3 unshadowed_sky(Shading s, bool preview) {
     vec3 sum = vec3(0.0);
     if (!kSky) return sum;
-    if (preview || !kShadows) sum += s.ob.albedo * sky_ambient(s.ns) * (preview ? 0.8 : 1.0);
+    if (!sky_is_traced(preview)) sum += s.ob.albedo * sky_ambient(s.ns) * (preview ? 0.8 : 1.0);
     if (kGloss) {
         float fresnel = schlick(s.ob.specular, 1.0 - s.ob.roughness, max(dot(s.ns, s.view), 0.0));
         sum += fresnel * mix(sky_radiance(reflect(-s.view, s.ns)), sky_ambient(s.ns), s.ob.roughness);

@@ -78,13 +78,6 @@ std::vector<float> beauty(Renderer& renderer) {
     return renderer.read_back(Layer::beauty);
 }
 
-std::vector<TracePath> other_paths() {
-    std::vector<TracePath> paths;
-    if (device().info().ray_query) paths.push_back(TracePath::ray_query);
-    if (device().info().ray_pipeline) paths.push_back(TracePath::pipeline);
-    return paths;
-}
-
 // Compares each pixel with the map at the pixel's uv. Filter weights have at least 8 bits; a GPU cuts them off there,
 // along both axes, where the colours are up to 0.9 apart (0.0082 on an NVIDIA H100).
 void expect_colours(const std::vector<float>& image, const std::vector<float>& white,

@@ -18,6 +18,14 @@ inline vulkan::Context& device() {
     return context;
 }
 
+// The ways of tracing beside our own, which any device takes.
+inline std::vector<TracePath> other_paths() {
+    std::vector<TracePath> paths;
+    if (device().info().ray_query) paths.push_back(TracePath::ray_query);
+    if (device().info().ray_pipeline) paths.push_back(TracePath::pipeline);
+    return paths;
+}
+
 inline Renderer make_renderer(const Scene& scene, const TestMap& map, const RenderSettings& settings) {
     const HeightView view = map.view();
     return Renderer(device(), scene, std::span(&view, 1), settings);

@@ -19,14 +19,6 @@ Scene lit_ball() {
 
 RELIEVO_EVERY_METHOD(Paths);
 
-// Ours is the one that any device takes; the others are compared with it.
-std::vector<TracePath> other_paths() {
-    std::vector<TracePath> paths;
-    if (device().info().ray_query) paths.push_back(TracePath::ray_query);
-    if (device().info().ray_pipeline) paths.push_back(TracePath::pipeline);
-    return paths;
-}
-
 RenderSettings on(TracePath path, RenderSettings settings) {
     settings.path = path;
     return settings;

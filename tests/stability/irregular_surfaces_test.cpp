@@ -4,7 +4,7 @@
 
 #include "renderer/judge/judge.h"
 #include "renderer/stability/float_floor.h"
-#include "renderer/vulkan/context.h"
+#include "tests/stability/device.h"
 #include "tests/stability/irregular_surfaces.h"
 
 namespace relievo::stability {
@@ -12,11 +12,6 @@ namespace {
 
 constexpr unsigned kSeeds = 60;
 constexpr int kSize = 40;  // pixels a side
-
-vulkan::Context& device() {
-    static vulkan::Context context({.device = "", .validation = true, .for_window = false});
-    return context;
-}
 
 ImageComparison compare(const Case& c, std::size_t view, double range) {
     const Scene scene = c.scene(c.views[view]);

@@ -7,6 +7,7 @@
 #include "renderer/stability/case_parts.h"
 #include "renderer/stability/extreme_meshes.h"
 #include "renderer/stability/harness.h"
+#include "tests/stability/device.h"
 #include "tests/stability/draw.h"
 
 namespace relievo::stability {
@@ -121,11 +122,10 @@ Case random_case(unsigned seed) {
 class RandomSurfaces : public testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomSurfaces, ExactIsRight) {
-    static vulkan::Context device({.device = "", .validation = true, .for_window = false});
     const JudgedCase judged({"random", "seed_" + std::to_string(GetParam()), "drawn at random",
                              [&] { return random_case(GetParam()); }},
                             kSize);
-    const Cell cell = judged.run(device, find_method("exact"));
+    const Cell cell = judged.run(device(), find_method("exact"));
     const ImageComparison errors = cell.worst().errors;
     EXPECT_NE(cell.verdict, Verdict::broken) << cell.text();
     EXPECT_EQ(errors.missed + errors.invented + errors.unexplained, 0) << cell.text();

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "renderer/stability/ray_judge.h"
-#include "renderer/vulkan/context.h"
+#include "tests/stability/device.h"
 
 namespace relievo::stability {
 namespace {
@@ -26,7 +26,6 @@ constexpr SinglePixel kPixels[] = {
 };
 
 TEST(SinglePixels, ExactIsRight) {
-    vulkan::Context device({.device = "", .validation = true, .for_window = false});
     for (const SinglePixel& pixel : kPixels) {
         SCOPED_TRACE(std::string(pixel.name) + ", " + pixel.view);
         const Case extreme = find_case(pixel.name).make();
@@ -37,7 +36,7 @@ TEST(SinglePixels, ExactIsRight) {
         RenderSettings settings;
         settings.width = settings.height = pixel.size;
         settings.method = "exact";
-        Renderer renderer(device, extreme.scene(*view), maps, settings);
+        Renderer renderer(device(), extreme.scene(*view), maps, settings);
         const Ray ray = renderer.camera_ray(pixel.x + 0.5, pixel.y + 0.5);
         const ReferenceSurface reference = extreme.reference();
         const RayJudge judge(extreme, reference, {"pixel", {ray}});

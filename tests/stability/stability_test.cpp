@@ -4,14 +4,10 @@
 #include <cstdio>
 
 #include "renderer/stability/harness.h"
+#include "tests/stability/device.h"
 
 namespace relievo::stability {
 namespace {
-
-vulkan::Context& device() {
-    static vulkan::Context context({.device = "", .validation = true, .for_window = false});
-    return context;
-}
 
 class Stability : public testing::TestWithParam<std::string> {};
 

@@ -65,6 +65,13 @@ TEST(Samples, aligned_seams_close_exactly_whatever_the_map) {
     }
 }
 
+// The furthest position's distance from the origin.
+float size_of(const Mesh& mesh) {
+    float size = 0;
+    for (const glm::vec3& p : mesh.positions) size = std::max(size, glm::length(p));
+    return size;
+}
+
 // Dabs on every corner of every seam's edges that is not too near another, so that all kinds of ends are met.
 std::vector<Dab> dabs_on_seams(const Mesh& mesh, const HeightMap& map, float apart) {
     std::vector<glm::vec3> places;
@@ -94,8 +101,7 @@ std::vector<Dab> dabs_on_seams(const Mesh& mesh, const HeightMap& map, float apa
 TEST(Samples, strokes_over_seams_leave_no_gap) {
     for (const auto& path : sample_meshes()) {
         const Mesh mesh = load(path);
-        float size = 0;
-        for (const glm::vec3& p : mesh.positions) size = std::max(size, glm::length(p));
+        const float size = size_of(mesh);
         HeightMap map(kSize, kSize);
         const MeshSurface surface(mesh, displacement(0.2 * static_cast<double>(size)), map);
         Sculptor sculptor(map, surface);
@@ -128,8 +134,7 @@ TEST(Samples, strokes_over_seams_leave_no_gap) {
 TEST(Samples, a_stroke_over_exact_seams_keeps_its_slope) {
     for (const auto& path : sample_meshes()) {
         const Mesh mesh = load(path);
-        float size = 0;
-        for (const glm::vec3& p : mesh.positions) size = std::max(size, glm::length(p));
+        const float size = size_of(mesh);
         HeightMap map(kSize, kSize);
         const Displacement shown = displacement(0.2 * static_cast<double>(size));
         const MeshSurface surface(mesh, shown, map);
@@ -141,9 +146,7 @@ TEST(Samples, a_stroke_over_exact_seams_keeps_its_slope) {
         sculptor.begin(brush);
         for (const Dab& dab : dabs_on_seams(mesh, map, 0.15f * size)) sculptor.dab(dab);
         sculptor.end();
-        HeightMap copies = map;
-        for (const SeamCopy& copy : surface.seams().copies)
-            copies.texels()[copy.gutter] = copies.texels()[copy.source];
+        const HeightMap copies = with_copies_alone(map, surface.seams());
         const auto mean = [&](const HeightMap& of) {
             double sum = 0, count = 0;
             for (const SlopeJump& jump : slope_jumps(mesh, of, shown))
@@ -163,8 +166,7 @@ TEST(Samples, a_stroke_over_exact_seams_keeps_its_slope) {
 TEST(Samples, painting_over_seams_leaves_none_to_see) {
     for (const auto& path : sample_meshes()) {
         const Mesh mesh = load(path);
-        float size = 0;
-        for (const glm::vec3& p : mesh.positions) size = std::max(size, glm::length(p));
+        const float size = size_of(mesh);
         HeightMap map(kSize, kSize);
         const MeshSurface surface(mesh, displacement(0.2 * static_cast<double>(size)), map);
         const std::vector<Dab> dabs = dabs_on_seams(mesh, map, 0.15f * size);

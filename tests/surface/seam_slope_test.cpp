@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "brushes/sculptor.h"
-#include "brushes/seam_bends.h"
 #include "editor/session/surface/mesh_surface.h"
 #include "editor/session/surface/seam_gap.h"
 #include "editor/session/surface/seam_table.h"
@@ -23,20 +22,33 @@ constexpr double kAmplitude = 0.3;
 // A smooth function of space at every owned texel.
 HeightMap smooth_map(const Mesh& mesh, int size) {
     HeightMap map(size, size);
-    const MeshSurface surface(mesh, displacement(0), map);
-    std::vector<SurfaceTexel> texels;
-    surface.precise_texels_in_ball(glm::vec3(0), 10, texels);
-    for (const SurfaceTexel& t : texels) {
-        const glm::dvec3 p(t.position);
-        const double h = 0.5 + 0.2 * std::sin(3 * p.x + p.y) * std::cos(2 * p.z) + 0.1 * p.y;
-        map.set(t.x, t.y, static_cast<std::uint16_t>(std::lround(65535 * h)));
-    }
+    set_owned(map, MeshSurface(mesh, displacement(0), map), [](const glm::dvec3& p) {
+        return 65535 * (0.5 + 0.2 * std::sin(3 * p.x + p.y) * std::cos(2 * p.z) + 0.1 * p.y);
+    });
     return map;
 }
 
-HeightMap with_copies_alone(HeightMap map, const SeamTable& table) {
-    for (const SeamCopy& copy : table.copies) map.texels()[copy.gutter] = map.texels()[copy.source];
-    return map;
+// A dab on the displaced surface's point over the base mesh's place that is nearest.
+Dab dab_near(const MeshSurface& surface, const glm::dvec3& place) {
+    const FacePoint at = surface.nearest_on_base(place);
+    Dab dab;
+    dab.face = at.face, dab.b1 = at.b1, dab.b2 = at.b2;
+    return dab;
+}
+
+// Random maps, mirrored over their middle column: what gutters hold must leave them so.
+void expect_mirror_maps_stay(const Mesh& mesh, int size, const SeamTable& table) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        HeightMap map = random_map(size, size, seed);
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size / 2; ++x) map.set(size - 1 - x, y, map.at(x, y));
+        fill_gutters(map, table);
+        int different = 0;
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size / 2; ++x) different += map.at(size - 1 - x, y) != map.at(x, y);
+        EXPECT_EQ(different, 0);
+        EXPECT_EQ(max_seam_gap(mesh, map, Wrap::repeat, false), 0);
+    }
 }
 
 struct Worst {
@@ -84,11 +96,7 @@ TEST(SeamSlope, a_stroke_over_a_box_corner_leaves_no_line) {
     sculptor.begin(brush);
     const glm::dvec3 corner = glm::normalize(glm::dvec3(1, 1, 1));
     for (int i = -6; i <= 6; ++i) {
-        const FacePoint at =
-            surface.nearest_on_base(corner + 0.05 * i * glm::normalize(glm::dvec3(1, -0.3, -0.7)));
-        Dab dab;
-        dab.face = at.face, dab.b1 = at.b1, dab.b2 = at.b2;
-        sculptor.dab(dab);
+        sculptor.dab(dab_near(surface, corner + 0.05 * i * glm::normalize(glm::dvec3(1, -0.3, -0.7))));
         ASSERT_EQ(max_seam_gap(mesh, map, Wrap::repeat, false), 0);
     }
     sculptor.end();
@@ -156,10 +164,7 @@ TEST(SeamSlope, a_plain_slope_along_a_bent_seam_has_no_jump_at_all) {
         const Mesh mesh = herringbone({lean, lean, lean, lean});
         HeightMap map(256, 256);
         const MeshSurface surface(mesh, displacement(0), map);
-        std::vector<SurfaceTexel> texels;
-        surface.precise_texels_in_ball(glm::vec3(0), 10, texels);
-        for (const SurfaceTexel& t : texels)
-            map.set(t.x, t.y, static_cast<std::uint16_t>(std::lround(32768 + 3200 * double{t.position.y})));
+        set_owned(map, surface, [](const glm::dvec3& p) { return 32768 + 3200 * p.y; });
         const HeightMap copies = with_copies_alone(map, surface.seams());
         fill_gutters(map, surface.seams());
         const auto jump = [&](const HeightMap& of) {  // away from the seam's ends, where nothing goes on
@@ -184,17 +189,7 @@ TEST(SeamSlope, a_map_that_mirrors_itself_at_the_seam_keeps_doing_so) {
     constexpr int kSize = 256;
     const SeamTable table = build_seam_table(mesh, kSize, kSize, Wrap::repeat);
     EXPECT_EQ(table.bends.size(), 128u);
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-        HeightMap map = random_map(kSize, kSize, seed);
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize / 2; ++x) map.set(kSize - 1 - x, y, map.at(x, y));
-        fill_gutters(map, table);
-        int different = 0;
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize / 2; ++x) different += map.at(kSize - 1 - x, y) != map.at(x, y);
-        EXPECT_EQ(different, 0);
-        EXPECT_EQ(max_seam_gap(mesh, map, Wrap::repeat, false), 0);
-    }
+    expect_mirror_maps_stay(mesh, kSize, table);
 }
 
 // Two strips one above the other, each its own mirror image in x; the plane of the mirror crosses their seam.
@@ -220,17 +215,7 @@ TEST(SeamSlope, a_map_that_mirrors_itself_across_the_seam_keeps_doing_so) {
     constexpr int kSize = 128;
     const SeamTable table = build_seam_table(mesh, kSize, kSize, Wrap::repeat);
     EXPECT_EQ(table.bends.size(), 64u);
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-        HeightMap map = random_map(kSize, kSize, seed);
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize / 2; ++x) map.set(kSize - 1 - x, y, map.at(x, y));
-        fill_gutters(map, table);
-        int different = 0;
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize / 2; ++x) different += map.at(kSize - 1 - x, y) != map.at(x, y);
-        EXPECT_EQ(different, 0);
-        EXPECT_EQ(max_seam_gap(mesh, map, Wrap::repeat, false), 0);
-    }
+    expect_mirror_maps_stay(mesh, kSize, table);
 }
 
 // Slanted and scaled seams have no copies: the islands are extended over them.
@@ -243,12 +228,8 @@ TEST(SeamSlope, a_stroke_over_a_slanted_seam_leaves_no_line) {
         Brush brush;
         brush.radius = 0.3f;
         sculptor.begin(brush);
-        for (int i = 0; i <= 8; ++i) {
-            const FacePoint at = surface.nearest_on_base(glm::dvec3(0.8 + 0.05 * i, 0.35 + 0.04 * i, 0));
-            Dab dab;
-            dab.face = at.face, dab.b1 = at.b1, dab.b2 = at.b2;
-            sculptor.dab(dab);
-        }
+        for (int i = 0; i <= 8; ++i)
+            sculptor.dab(dab_near(surface, glm::dvec3(0.8 + 0.05 * i, 0.35 + 0.04 * i, 0)));
         sculptor.end();
         const Worst worst = worst_of(slope_jumps(mesh, map, displacement(kAmplitude)));
         EXPECT_LT(worst.seam, 0.05) << turn << ' ' << scale << ": 0.09 to 0.24 with texels' means beyond";

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "brushes/seam_bends.h"
 
@@ -139,8 +140,20 @@ HeightMap random_map(int width, int height, unsigned seed) {
     return map;
 }
 
-void fill_gutters(HeightMap& map, const SeamTable& table) {
+void set_owned(HeightMap& map, const MeshSurface& surface, const std::function<double(const glm::dvec3&)>& counts) {
+    std::vector<SurfaceTexel> texels;
+    surface.precise_texels_in_ball(glm::vec3(0), 10, texels);
+    for (const SurfaceTexel& t : texels)
+        map.set(t.x, t.y, static_cast<std::uint16_t>(std::lround(counts(glm::dvec3(t.position)))));
+}
+
+HeightMap with_copies_alone(HeightMap map, const SeamTable& table) {
     for (const SeamCopy& copy : table.copies) map.texels()[copy.gutter] = map.texels()[copy.source];
+    return map;
+}
+
+void fill_gutters(HeightMap& map, const SeamTable& table) {
+    map = with_copies_alone(std::move(map), table);
     SeamBends(table, map.width(), map.height()).apply(map);
 }
 

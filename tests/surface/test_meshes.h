@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <random>
@@ -10,6 +11,7 @@
 
 #include "brushes/height_map.h"
 #include "brushes/surface.h"
+#include "editor/session/surface/mesh_surface.h"
 #include "renderer/scene/mesh.h"
 #include "renderer/scene/scene.h"
 
@@ -47,6 +49,12 @@ Mesh cut_cylinder(int cells);
 
 std::mt19937 generator(unsigned seed);
 HeightMap random_map(int width, int height, unsigned seed);
+
+// Counts by a function of space at every owned texel, the base mesh's own where the displacement is 0.
+void set_owned(HeightMap& map, const MeshSurface& surface, const std::function<double(const glm::dvec3&)>& counts);
+
+// The same map with every gutter a plain copy.
+HeightMap with_copies_alone(HeightMap map, const SeamTable& table);
 
 // What the brushes keep: copies, and shifts where rows bend.
 void fill_gutters(HeightMap& map, const SeamTable& table);

@@ -14,7 +14,6 @@
 
 namespace relievo {
 
-class OwnedTexels;
 class TexelClasses;
 
 // Of every texel within two texels of a seam that is not aligned, that no triangle owns and that is no copy;

@@ -12,8 +12,6 @@ namespace relievo {
 // and where a triangle has no area to speak of. Requires an aligned seam.
 struct SlopeWeights {
     std::int32_t lean, bend[2];  // SeamBend::kOne is 1; along ascending columns of side a
-
-    bool none() const { return lean == 0 && bend[0] == 0 && bend[1] == 0; }
 };
 SlopeWeights slope_weights(const Mesh& mesh, const MapGrid& grid, const UvSeam& seam);
 

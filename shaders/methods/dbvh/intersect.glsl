@@ -199,7 +199,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     if (log_range > 0 && is_procedural(p.object)) {
         ProceduralData data = procedural_data(p.object);
         LatticeMap m = lattice_map(data, signed_whole(primitive_base(p)));
-        if (lattice_serves(data, m, power_of_two(log_range))) return intersect_lattice(p, ob, m, leaf, log_range, pixel, r, hit);
+        if (lattice_serves(data, m, power_of_two(log_range))) return intersect_lattice(p, ob, data, m, leaf, log_range, pixel, r, hit);
     }
 #endif
     Domain g = make_domain(p, primitive_normals(), is_thin(p), most, r.rounding);

@@ -91,8 +91,8 @@ FUNC bool lattice_serves(ProceduralData data, LatticeMap m, float range) {
     return data.used == kHeightsOfLattice && min(part.x, part.y) >= kLeastPart;
 }
 
-FUNC bool intersect_lattice(Primitive p, ObjectData ob, LatticeMap m, float leaf, int log_range, float pixel, DbvhRay r, INOUT(SurfaceHit) hit) {
-    ProceduralData data = procedural_data(p.object);
+FUNC bool intersect_lattice(Primitive p, ObjectData ob, ProceduralData data, LatticeMap m, float leaf, int log_range,
+                            float pixel, DbvhRay r, INOUT(SurfaceHit) hit) {
     float range = power_of_two(log_range);
     Primitive q = over_lattice(p, m, range);
     Domain g = make_domain(q, primitive_normals(), false, greatest_displacement(ob), r.rounding);
