@@ -34,9 +34,9 @@ void order(inout float ka, inout float kb, inout uint a, inout uint b) {
     a = c;
 }
 
-// Nodes that wait, and where the ray enters them.
-uint waiting[kBvhStack];
-float waiting_entry[kBvhStack];
+// Nodes that wait, and where the ray enters them; below them the end of the walk.
+uint waiting[kBvhStack + 1u];
+float waiting_entry[kBvhStack + 1u];
 int waiting_count;
 
 void wait(float entry, uint node) {
@@ -47,41 +47,45 @@ void wait(float entry, uint node) {
 
 // The last that waits and does not lie behind the nearest hit.
 uint next_waiting(float t) {
-    while (waiting_count > 0) {
-        --waiting_count;
-        if (waiting_entry[waiting_count] <= t) return waiting[waiting_count];
-    }
-    return kBvhNone;
+    do --waiting_count;
+    while (waiting_entry[waiting_count] > t);
+    return waiting[waiting_count];
 }
 
 // Every node is met at most once, whatever the ray's numbers are: the walk always ends.
+// Loops ask at their end whether to go on: at their start, lavapipe would run through them once more without a lane.
 TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool any_hit, uint pixel) {
     TraceHit best;
     best.primitive = kNoHit;
     best.t = t_max;
     best.b = vec2(0.0);
     vec3 inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
-    waiting_count = 0;
+    waiting[0] = kBvhNone;
+    waiting_entry[0] = -kNotMet;
+    waiting_count = 1;
     uint next = 0u;
-    while (true) {
-        while (next < kBvhLeaf) {
-            BvhNode n = load_node(next);
-            vec4 k = child_entries(n, origin, inverse, t_min, best.t);
-            uvec4 c = n.child;
-            order(k.x, k.y, c.x, c.y);
-            order(k.z, k.w, c.z, c.w);
-            order(k.x, k.z, c.x, c.z);
-            order(k.y, k.w, c.y, c.w);
-            order(k.y, k.z, c.y, c.z);
-            wait(k.w, c.w);
-            wait(k.z, c.z);
-            wait(k.y, c.y);
-            next = k.x < kNotMet ? c.x : next_waiting(best.t);
+    do {
+        if (next < kBvhLeaf) {
+            do {
+                BvhNode n = load_node(next);
+                vec4 k = child_entries(n, origin, inverse, t_min, best.t);
+                uvec4 c = n.child;
+                order(k.x, k.y, c.x, c.y);
+                order(k.z, k.w, c.z, c.w);
+                order(k.x, k.z, c.x, c.z);
+                order(k.y, k.w, c.y, c.w);
+                order(k.y, k.z, c.y, c.z);
+                wait(k.w, c.w);
+                wait(k.z, c.z);
+                wait(k.y, c.y);
+                next = k.x < kNotMet ? c.x : next_waiting(best.t);
+            } while (next < kBvhLeaf);
         }
-        if (next == kBvhNone) break;
-        if (test_box(next & ~kBvhLeaf, origin, direction, t_min, pixel, best) && any_hit) break;
-        next = next_waiting(best.t);
-    }
+        if (next != kBvhNone) {
+            bool met = test_box(next & ~kBvhLeaf, origin, direction, t_min, pixel, best);
+            next = met && any_hit ? kBvhNone : next_waiting(best.t);
+        }
+    } while (next != kBvhNone);
     flush_counts(pixel);
     return best;
 }

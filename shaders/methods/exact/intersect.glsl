@@ -150,8 +150,8 @@ FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INO
     vec2 base = primitive_base(p);
     vec2 rate = max(abs(c.d1), abs(c.d1 + c.d2 * 2.0f));
     float texels = max(max(rate.x, rate.y), 1e-20f);
-    to = w.s;
-    for (; w.stretches < kMaxStretches && w.s < 1.0f; ++w.stretches) {
+    bool found = false;
+    do {
         float s = w.s;
         to = min(s + 0.9f * power_of_two(w.level) / texels, 1.0f);
         vec2 x0 = texel_on(c, s), x1 = texel_on(c, to);
@@ -162,17 +162,16 @@ FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INO
         vec2 bounds = map_bounds(p.object, w.level, base + floor(low));
         float d0 = displacement(ob, bounds.x), d1 = displacement(ob, bounds.y);
         bool above = min(h0, h1) - sag > max(d0, d1) + tolerance, below = max(h0, h1) + sag < min(d0, d1) - tolerance;
-        if ((above && w.side >= 0.0f) || (below && w.side <= 0.0f)) {
+        bool passes = (above && w.side >= 0.0f) || (below && w.side <= 0.0f);
+        found = !passes && w.level <= 1;
+        if (passes) {
             w.side = above ? 1.0f : -1.0f;
             w.s = to;
-            w.level = min(w.level + 1, kPyramidLevels);
-        } else if (w.level > 1) {
-            --w.level;
-        } else {
-            return true;
         }
-    }
-    return false;
+        w.level = clamp(w.level + (passes ? 1 : -1), 1, kPyramidLevels);
+        w.stretches += found ? 0 : 1;
+    } while (!found && w.stretches < kMaxStretches && w.s < 1.0f);
+    return found;
 }
 
 // The cells under the leaf, from w.s to `to`. `unsure`: the ray comes nearer to the surface, without a hit, than the
@@ -194,13 +193,16 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
                       apart.y > 1e-12f ? s + (d.y > 0.0f ? cell.y + 1.0f - x.y : x.y - cell.y) * across.y : 1e30f);
     hit.t = 0.0f;
     hit.b = vec2(0.0f, 0.0f);
-    for (int i = 0; i < 3 * kMaxCells; ++i) {
+    bool counts = false, again;  // a root: as a hit
+    int roots = 0;
+    do {
         // Until a root, or the leaf's end.
         bool found = false;
         float root = 0.0f;
         vec4 quad = vec4(0.0f, 0.0f, 0.0f, 0.0f);
         vec3 g = vec3(0.0f, 0.0f, 0.0f);
-        for (int k = 0; k < kMaxCells && s < to; ++k) {
+        int cells = 0;
+        do {
             float end = min(max(min(leave.x, leave.y), s), to);
             quad = height_quad(p.object, base + cell);
             float h = height_on(c, s);
@@ -223,52 +225,52 @@ FUNC bool solve_leaf(Primitive p, ObjectData ob, Shell shell, PrismRay r, float 
                 root = touches ? min(1e-3f, 0.5f * u) : 0.0f;  // within the triangle's margin
                 bool crossed = after == 0.0f && (g.x * w.side < 0.0f || touches);  // since the last cell's end
                 found = crossed || first_root(g, after, u, root);
-                if (found) break;
                 // The least gap in the cell: at its start (its neighbour may have been flat, and sure of itself), at its end,
                 // or where the quadratic turns.
                 float turn = g.z * w.side > 0.0f ? clamp(-0.5f * g.y / g.z, after, u) : after;
                 float gap = min(last * w.side, (g.x + turn * (g.y + turn * g.z)) * w.side);
-                unsure = unsure || (gap < error && error > sure);
+                unsure = unsure || (!found && gap < error && error > sure);
             }
-            after = 0.0f;
-            s = end;
-            if (leave.x < leave.y) {
-                cell.x += forward.x;
-                leave.x += across.x;
-            } else {
-                cell.y += forward.y;
-                leave.y += across.y;
+            if (!found) {
+                after = 0.0f;
+                s = end;
+                if (leave.x < leave.y) {
+                    cell.x += forward.x;
+                    leave.x += across.x;
+                } else {
+                    cell.y += forward.y;
+                    leave.y += across.y;
+                }
             }
-        }
-        if (!found || unsure) break;
-        float tau = c.tau + c.span * (s + root);
-        vec2 b = barycentrics_on(c, s + root);
-        float steep = abs(ob.amplitude) * (max(abs(quad.y - quad.x), abs(quad.w - quad.z)) +
-                                           max(abs(quad.z - quad.x), abs(quad.w - quad.y)));
-        float curve = (abs(c.h.z) + max(abs(c.d2.x), abs(c.d2.y)) * steep) / (c.span * c.span);
-        float slope;
-        bool met = polish(p, ob, shell, r, cell, quad, 0.1f * c.span, enough, curve, b, tau, slope);
-        note(kNoteRoot, r.t0 + tau, texel_at(p, b), height_on(c, s + root), 0.0f);
-        // Beyond the cell's borders other heights hold; where Newton's steps run wild, so do heights.
-        vec2 met_at = texel_at(p, b), place = met_at - cell;
-        float border = kBorder + 4e-7f * max(abs(met_at.x), abs(met_at.y));
-        bool there = shell_gap(shell, r, tau, b) <= kThere * (p.q1x + p.q2.y) + tolerance;
-        // The way out of the surface is not the way in: Newton's steps went past that.
-        bool first = slope * w.side <= 0.0f;
-        unsure = met && sure < 1e30f &&
-                 !(there && first && min(place.x, place.y) >= -border && max(place.x, place.y) <= 1.0f + border);
-        if (unsure) break;
-        if (met && there && in_triangle(b, margin) && r.t0 + tau >= t_min && opaque_at(p, b)) {
+        } while (!found && ++cells < kMaxCells && s < to);
+        again = found && !unsure;
+        if (again) {
+            float tau = c.tau + c.span * (s + root);
+            vec2 b = barycentrics_on(c, s + root);
+            float steep = abs(ob.amplitude) * (max(abs(quad.y - quad.x), abs(quad.w - quad.z)) +
+                                               max(abs(quad.z - quad.x), abs(quad.w - quad.y)));
+            float curve = (abs(c.h.z) + max(abs(c.d2.x), abs(c.d2.y)) * steep) / (c.span * c.span);
+            float slope;
+            bool met = polish(p, ob, shell, r, cell, quad, 0.1f * c.span, enough, curve, b, tau, slope);
+            note(kNoteRoot, r.t0 + tau, texel_at(p, b), height_on(c, s + root), 0.0f);
+            // Beyond the cell's borders other heights hold; where Newton's steps run wild, so do heights.
+            vec2 met_at = texel_at(p, b), place = met_at - cell;
+            float border = kBorder + 4e-7f * max(abs(met_at.x), abs(met_at.y));
+            bool there = shell_gap(shell, r, tau, b) <= kThere * (p.q1x + p.q2.y) + tolerance;
+            // The way out of the surface is not the way in: Newton's steps went past that.
+            bool first = slope * w.side <= 0.0f;
+            unsure = met && sure < 1e30f &&
+                     !(there && first && min(place.x, place.y) >= -border && max(place.x, place.y) <= 1.0f + border);
+            counts = !unsure && met && there && in_triangle(b, margin) && r.t0 + tau >= t_min && opaque_at(p, b);
             hit.t = r.t0 + tau;
             hit.b = b;
-            return true;
+            // Else: behind the ray's start, beyond the triangle, in a hole.
+            after = root + 1e-4f;
+            w.side = g.x + after * (g.y + after * g.z) < 0.0f ? -1.0f : 1.0f;
         }
-        // A root that does not count: behind the ray's start, beyond the triangle, in a hole.
-        after = root + 1e-4f;
-        w.side = g.x + after * (g.y + after * g.z) < 0.0f ? -1.0f : 1.0f;
-    }
-    if (!unsure) w.s = to;
-    return false;
+    } while (again && !unsure && !counts && ++roots < 3 * kMaxCells);
+    if (!counts && !unsure) w.s = to;
+    return counts;
 }
 
 FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o, vec3 d, float t_min, float t_max,
@@ -307,34 +309,35 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     w.stretches = 0;
     // Through the top or the bottom of its own height range the side is known; else the first cell tells.
     w.side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
-    for (int i = 0; i < kMaxStretches && w.stretches < kMaxStretches; ++i) {
-        if (w.s >= 1.0f) {
-            if (!(w.c.tau + w.c.span < r.high)) break;
-            start_chord(p, shell, r, most_error, 0.1f * least_span, w);
-        }
+    bool met = false, walks = r.low < r.high;
+    int rounds = 0;
+    do {
+        if (walks && w.s >= 1.0f) start_chord(p, shell, r, most_error, 0.1f * least_span, w);
         // Polishing moves a root by less than half its chord.
-        if (w.c.tau + w.c.span * (w.s - 0.5f) > limit) break;
-        float to;
-        if (!seek_leaf(p, ob, r, tolerance, w, to)) {
-            w.s = 1.0f;
-            continue;
+        walks = walks && !(w.c.tau + w.c.span * (w.s - 0.5f) > limit);
+        if (walks) {
+            float to;
+            if (seek_leaf(p, ob, r, tolerance, w, to)) {
+                float side = w.side;
+                bool unsure;
+                met = solve_leaf(p, ob, shell, r, t_min, tolerance, margin, to, w.c.span > least_span ? sure : 1e30f, w, unsure,
+                                 hit);
+                if (unsure) {
+                    // Too bent to tell whether the ray passes: a shorter chord from here on.
+                    w.side = side;
+                    w.longest = kRefinement * w.c.span;
+                    w.c.tau += w.c.span * w.s;
+                    w.end = shell_point(p, shell, r, w.c.tau, barycentrics_on(w.c, w.s), 1);
+                    w.c.span = 0.0f;
+                    w.s = 1.0f;
+                }
+            } else {
+                w.s = 1.0f;
+            }
         }
-        float side = w.side;
-        bool unsure;
-        if (solve_leaf(p, ob, shell, r, t_min, tolerance, margin, to, w.c.span > least_span ? sure : 1e30f, w, unsure,
-                       hit))
-            return hit.t <= t_max;
-        if (unsure) {
-            // Too bent to tell whether the ray passes: a shorter chord from here on.
-            w.side = side;
-            w.longest = kRefinement * w.c.span;
-            w.c.tau += w.c.span * w.s;
-            w.end = shell_point(p, shell, r, w.c.tau, barycentrics_on(w.c, w.s), 1);
-            w.c.span = 0.0f;
-            w.s = 1.0f;
-        }
-    }
-    return false;
+        walks = walks && !met && w.stretches < kMaxStretches && (w.s < 1.0f || w.c.tau + w.c.span < r.high);
+    } while (walks && ++rounds < kMaxStretches);
+    return met && hit.t <= t_max;
 }
 
 FUNC vec3 shading_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec4 parameters, vec2 b) {
