@@ -18,6 +18,7 @@ struct DeviceInfo {
     bool is_cpu = false;
     bool ray_query = false, ray_pipeline = false;
     TracePath best_path = TracePath::bvh;  // what automatic means
+    bool bundles = false;  // TracePath::bvh walks by bundles of eight rays (shaders/trace/bundle.glsl), else ray by ray
     bool usable = false;
     std::string verdict;  // why it is usable and which path it takes, or what it lacks
 };
@@ -26,6 +27,7 @@ struct ContextOptions {
     std::string device;       // index or part of a name; empty: RELIEVO_DEVICE, else the best (GPU before CPU)
     bool validation = false;  // also on with RELIEVO_VALIDATION=1; messages are counted, printed to stderr
     bool for_window = false;  // surface and swapchain extensions
+    bool bundles = true;      // false: rays walk the tree alone, as on a device that cannot do otherwise
 };
 
 // Never throws for want of a device: an empty list is an answer.

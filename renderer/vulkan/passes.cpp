@@ -12,6 +12,8 @@ constexpr std::array<std::string_view, kPassCount> kComputeFiles{"beauty.comp", 
                                                               "pick.comp"};
 constexpr std::array<std::string_view, kPassCount> kBvhFiles{"beauty_bvh.comp", "aov_bvh.comp", "pick_bvh.comp",
                                                              "aov_bvh.comp", "pick_bvh.comp"};
+constexpr std::array<std::string_view, kPassCount> kBundleFiles{"beauty_bundle.comp", "aov_bundle.comp", "pick_bundle.comp",
+                                                                "aov_bundle.comp", "pick_bundle.comp"};
 constexpr std::array<std::string_view, kPassCount> kRayFiles{"beauty.rgen", "aov.rgen", "pick.rgen", "aov.rgen", "pick.rgen"};
 
 }  // namespace
@@ -42,9 +44,10 @@ SpecConstants Passes::constants_of(Pass pass) const {
 const Program& Passes::program(Pass pass) {
     const auto index = static_cast<std::size_t>(pass);
     if (!programs_[index]) {
-        const auto& files = path_ == TracePath::pipeline ? kRayFiles
-                            : path_ == TracePath::bvh    ? kBvhFiles
-                                                         : kComputeFiles;
+        const auto& files = path_ == TracePath::pipeline    ? kRayFiles
+                            : path_ == TracePath::ray_query ? kComputeFiles
+                            : context_->info().bundles      ? kBundleFiles
+                                                            : kBvhFiles;
         const ProgramKey key{std::string(method_), std::string(files[index]), path_, constants_of(pass)};
         programs_[index] = context_->programs().get(*context_, layout_.get(), key);
     }

@@ -4,8 +4,8 @@
 layout(set = 0, binding = kBindAov, scalar) writeonly buffer AovBlock { AovPixel aov[]; };
 
 void aov_main(ivec2 local) {
-    ivec2 px = push.offset + local;
-    if (any(greaterThanEqual(local, push.extent)) || any(greaterThanEqual(px, frame.size))) return;
+    ivec2 px;
+    bool has_pixel = window_pixel(local, px);
     uint pixel = pixel_index(px);
     AovPixel a;
     a.depth = uintBitsToFloat(0x7f800000u);
@@ -13,7 +13,8 @@ void aov_main(ivec2 local) {
     a.shading_normal = vec3(0.0);
     a.uv = vec2(0.0);
     a.id = 0.0;
-    TraceHit h = trace_ray(frame.eye, camera_direction(vec2(px) + 0.5), 0.0, kFar, false, pixel);
+    TraceHit h = trace_ray(frame.eye, camera_direction(vec2(px) + 0.5), 0.0, has_pixel ? kFar : kNoReach, false, pixel);
+    if (!has_pixel) return;
     if (h.primitive != kNoHit) {
         Primitive p = primitives[h.primitive];
         PrimitiveNormals n = normals[h.primitive];

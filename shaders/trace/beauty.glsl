@@ -31,46 +31,55 @@ Shading shading_at(TraceHit h, vec3 d) {
     return s;
 }
 
+vec3 unshadowed_lights(Shading s, uint pixel, bool preview) {
+    vec3 sum = vec3(0.0);
+    SecondaryRay ray;
+    for (uint i = 0u; i < frame.light_count; ++i)
+        if (secondary_ray(s, i, pixel, preview, ray)) sum += ray.radiance;
+    return sum;
+}
+
 // The camera's ray, then one after the other those from the surface that bring light, by one call: compilers copy the
-// traversal and the method's intersection to every call, and a processor's takes seconds and megabytes for each.
-vec4 radiance_along(vec3 camera_ray, uint pixel, bool preview) {
+// traversal and the method's intersection to every call, and a processor's takes seconds and megabytes for each. All
+// invocations trace the same kind of ray at a time, or none (trace_ray() may need them all).
+vec4 radiance_along(vec3 camera_ray, uint pixel, bool preview, bool has_ray) {
     Shading s;
     SecondaryRay ray;
-    vec3 origin = frame.eye, sum = vec3(0.0);
+    vec3 origin = frame.eye;
+    vec4 sum = vec4(0.0);
     ray.direction = camera_ray;
-    ray.reach = kFar;
+    ray.reach = has_ray ? kFar : kNoReach;
     ray.radiance = vec3(0.0);
-    for (uint next = 0u;;) {
-        TraceHit h = trace_ray(origin, ray.direction, 0.0, ray.reach, next > 0u, pixel);
-        if (next == 0u) {
-            if (h.primitive == kNoHit) return vec4(sky_radiance(camera_ray), 0.0);
+    uint traced = 0u, last = kShadows ? secondary_rays(preview) : 0u;
+    do {
+        TraceHit h = trace_ray(origin, ray.direction, 0.0, ray.reach, traced > 0u, pixel);
+        bool hit = h.primitive != kNoHit;
+        if (traced > 0u) {
+            if (!hit && ray.reach >= 0.0) sum.rgb += ray.radiance;
+        } else if (hit) {
             s = shading_at(h, camera_ray);
             origin = s.offset_point;
-        } else if (h.primitive == kNoHit) {
-            sum += ray.radiance;
+            sum.a = 1.0;
+        } else {
+            sum.rgb = sky_radiance(camera_ray);
         }
-        bool brings = false;
-        while (!brings && next < secondary_rays(preview)) {
-            brings = secondary_ray(s, next, pixel, preview, ray);
-            ++next;
-            if (brings && !kShadows) {
-                sum += ray.radiance;
-                brings = false;
-            }
-        }
-        if (!brings) return vec4(sum + unshadowed_sky(s, preview), 1.0);
-    }
+        if (!(sum.a > 0.0 && traced < last && secondary_ray(s, traced, pixel, preview, ray))) ray.reach = kNoReach;
+    } while (traced++ < last);
+    if (sum.a > 0.0 && !kShadows) sum.rgb += unshadowed_lights(s, pixel, preview);
+    if (sum.a > 0.0) sum.rgb += unshadowed_sky(s, preview);
+    return sum;
 }
 
 void beauty_main(ivec2 local) {
-    ivec2 px = push.offset + local;
-    if (any(greaterThanEqual(local, push.extent)) || any(greaterThanEqual(px, frame.size))) return;
+    ivec2 px;
+    bool has_pixel = window_pixel(local, px);
     uint pixel = pixel_index(px);
     bool preview = push.preview != 0u;
     vec2 jitter = preview || push.sample_index == 0u
                       ? vec2(0.5)
                       : vec2(random_at(pixel, push.sample_index, 0x50000000u), random_at(pixel, push.sample_index, 0x50000001u));
-    vec4 value = radiance_along(camera_direction(vec2(px) + jitter), pixel, preview);
+    vec4 value = radiance_along(camera_direction(vec2(px) + jitter), pixel, preview, has_pixel);
+    if (!has_pixel) return;
     if (any(isnan(value)) || any(isinf(value))) value = vec4(0.0);
     // A preview never mixes with real samples: the first of those replaces it.
     uint count = preview ? 0u : counts[pixel];

@@ -124,12 +124,15 @@ float random_at(uint pixel, uint sample_index, uint dimension) { return unit_flo
 
 uint pixel_index(ivec2 px) { return uint(px.y) * uint(frame.size.x) + uint(px.x); }
 
+// What trace_ray() of the ways of tracing answers: the first hit of origin + t direction for t in [t_min, t_max]; for any_hit,
+// whether there is one. Nothing where t_max < t_min: all invocations ask, but not all have a ray.
 struct TraceHit {
     uint primitive;  // kNoHit: nothing
     float t;
     vec2 b;
 };
 const uint kNoHit = 0xffffffffu;
+const float kNoReach = -1.0;  // the t_max of no ray
 
 #include "intersect.glsl"  // the method's own: found by the include path of its folder
 

@@ -1,26 +1,19 @@
 // Tracing through the program's own tree of boxes (renderer/wide_bvh.h), for processors: their drivers' trees are worse,
-// and so is what they make of a ray query.
+// and so is what they make of a ray query. Each invocation's ray walks alone; see also bundle.glsl.
 #include "bindings.glsl"
 #include "compute.glsl"
-
-const float kNotMet = 1e38;
-
-vec4 bytes_of(uint v) {
-    return vec4(float(v & 255u), float((v >> 8) & 255u), float((v >> 16) & 255u), float(v >> 24));
-}
+#include "node_boxes.glsl"
 
 // Where the ray enters each child's box; kNotMet for those that it does not meet before t_max.
 vec4 child_entries(BvhNode n, vec3 origin, vec3 inverse, float t_min, float t_max) {
-    vec3 steps = uintBitsToFloat(uvec3(n.exponents << 23, n.exponents << 15, n.exponents << 7) & 0x7f800000u);
-    vec3 a = steps * inverse, b = (n.origin - origin) * inverse;
+    vec3 a = steps_of(n.exponents) * inverse, b = (n.origin - origin) * inverse;
     bvec3 back = lessThan(inverse, vec3(0.0));
     uvec3 first = mix(n.low, n.high, back), last = mix(n.high, n.low, back);
-    vec4 enter = max(max(bytes_of(first.x) * a.x + b.x, bytes_of(first.y) * a.y + b.y),
-                     max(bytes_of(first.z) * a.z + b.z, vec4(t_min)));
-    vec4 leave = min(min(bytes_of(last.x) * a.x + b.x, bytes_of(last.y) * a.y + b.y),
-                     min(bytes_of(last.z) * a.z + b.z, vec4(t_max)));
-    // Eight units in the last place pay for the rounding of far boxes, the boxes' own slack for that of near ones.
-    bvec4 met = lessThanEqual(enter, leave * 1.000001);
+    vec4 enter = latest(latest(bytes_of(first.x) * a.x + b.x, bytes_of(first.y) * a.y + b.y),
+                        latest(bytes_of(first.z) * a.z + b.z, vec4(t_min)));
+    vec4 leave = earliest(earliest(bytes_of(last.x) * a.x + b.x, bytes_of(last.y) * a.y + b.y),
+                          earliest(bytes_of(last.z) * a.z + b.z, vec4(t_max)));
+    bvec4 met = lessThanEqual(enter, leave * kLeaveSlack);
     return mix(vec4(kNotMet), enter, bvec4(uvec4(met) & uvec4(notEqual(n.child, uvec4(kBvhNone)))));
 }
 
@@ -59,7 +52,7 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
     best.primitive = kNoHit;
     best.t = t_max;
     best.b = vec2(0.0);
-    vec3 inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
+    vec3 inverse = inverse_of(direction);
     waiting[0] = kBvhNone;
     waiting_entry[0] = -kNotMet;
     waiting_count = 1;

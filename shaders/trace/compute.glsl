@@ -11,11 +11,10 @@ ivec2 invocation_pixel() {
 }
 int invocation_index() { return int(gl_GlobalInvocationID.x); }
 
-// Meets the primitive behind a box that the ray meets. Of equally near hits the least index wins, in whatever order boxes come;
-// and a method's answer does not depend on best.t, but for being beyond it.
-bool test_box(uint box, vec3 origin, vec3 direction, float t_min, uint pixel, inout TraceHit best) {
-    uint id = primitive_of_box(box);
-    Primitive p = load_primitive(id);
+// Meets the primitive, through a box that the ray meets. Of equally near hits the least index wins, in whatever order boxes
+// come; and a method's answer does not depend on best.t, but for being beyond it.
+bool test_primitive(Primitive p, uint id, uint box, vec3 origin, vec3 direction, float t_min, uint pixel,
+                    inout TraceHit best) {
     SurfaceHit hit;
     begin_notes(id, box);
     float random = random_at(pixel, push.sample_index, id);
@@ -27,4 +26,9 @@ bool test_box(uint box, vec3 origin, vec3 direction, float t_min, uint pixel, in
     best.t = hit.t;
     best.b = hit.b;
     return true;
+}
+
+bool test_box(uint box, vec3 origin, vec3 direction, float t_min, uint pixel, inout TraceHit best) {
+    uint id = primitive_of_box(box);
+    return test_primitive(load_primitive(id), id, box, origin, direction, t_min, pixel, best);
 }

@@ -8,6 +8,7 @@ layout(set = 0, binding = kBindTlas) uniform accelerationStructureEXT scene_bvh;
 layout(location = 0) rayPayloadEXT TraceHit payload;
 
 TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool any_hit, uint pixel) {
+    if (t_max < t_min) return TraceHit(kNoHit, t_max, vec2(0.0));
     payload.primitive = 0u;  // any hit: no hit shader runs, the miss shader alone speaks
     payload.t = t_max;
     payload.b = vec2(0.0);

@@ -10,6 +10,7 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
     best.primitive = kNoHit;
     best.t = t_max;
     best.b = vec2(0.0);
+    if (t_max < t_min) return best;
     rayQueryEXT query;
     rayQueryInitializeEXT(query, scene_bvh, any_hit ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT, 0xff,
                           origin, t_min, direction, t_max);

@@ -10,9 +10,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Wor
 uvec2 word_pair(uvec2 address, uint i) { return unpackUint2x32(WordPairs(address).at[i]); }
 
 // The layouts are those of shared.h.
-Primitive load_primitive(uint id) {
-    uvec2 v[16];
-    for (uint i = 0u; i < 16u; ++i) v[i] = word_pair(frame.primitives, 16u * id + i);
+Primitive primitive_of_pairs(uvec2 v[16]) {
     Primitive p;
     p.origin = uintBitsToFloat(uvec3(v[0], v[1].x));
     p.w_low = uintBitsToFloat(v[1].y);
@@ -34,6 +32,12 @@ Primitive load_primitive(uint id) {
     p.flags = v[15].x;
     p.shell_margin = uintBitsToFloat(v[15].y);
     return p;
+}
+
+Primitive load_primitive(uint id) {
+    uvec2 v[16];
+    for (uint i = 0u; i < 16u; ++i) v[i] = word_pair(frame.primitives, 16u * id + i);
+    return primitive_of_pairs(v);
 }
 
 BvhNode load_node(uint index) {
