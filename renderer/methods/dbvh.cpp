@@ -41,7 +41,8 @@ const Method kDbvh{
     "heights. "
     "B-splines, and leaves above level 0, may reach beyond a base triangle's box, which cuts them; sizes "
     "that 2^level "
-    "does not divide tear where the map repeats. At most 131072 boxes a triangle.",
+    "does not divide tear where the map repeats. After 122880 boxes of a triangle a ray ends at the next one "
+    "that it meets.",
     GeometryKind::surface_bounds,
     true,
     kParameters,

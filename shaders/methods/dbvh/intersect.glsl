@@ -12,7 +12,9 @@
 //  - children are visited in the order of the ray: their places are mirrored so that the nearest is the first;
 //  - any map size and wrap: bounds come from nodes that overlap (map_bounds), so that squares need not fit the map's own;
 //  - where Newton cannot tell whether a leaf is met once, the walk goes on below it, down to kSubLevels further;
-//  - without a level of detail of its own, a square that looks smaller than a pixel is met as its box (by_pixel).
+//  - without a level of detail of its own, a square that looks smaller than a pixel is met as its box (by_pixel);
+//  - a ray that has been held against kFineBoxes boxes of a triangle ends at the next one that it meets, of a leaf's size
+//    first, then of ever larger ones: it must not pass for want of boxes. A box that holds its origin is divided all the same.
 // The holes that the thesis shows at high quality had two causes: boxes without a margin, which rays pass between by
 // rounding, and leaves that differ between neighbours along base edges (leaf.glsl).
 //
@@ -20,7 +22,9 @@
 #include "box.glsl"
 #include "leaf.glsl"
 
-const int kMaxBoxes = 131072;      // a triangle: beyond, the best of what was found counts
+const int kMaxBoxes = 131072;      // a triangle: the walk ends before, by
+const int kFineBoxes = 122880;     // after these, boxes are the surface: leaves' own first,
+const int kCoarserBoxes = 256;     // and after each so many more, those of twice the width
 const int kMostDepth = 28;        // of the tree
 const int kSubLevels = 8;         // below the leaf
 const float kLeafTurn = 0.15f;    // radians that normals may turn over a leaf that is solved
@@ -116,6 +120,11 @@ FUNC bool go_next(INOUT(Walk) w) {
 FUNC vec2 box_span(DisplacedBox box, vec3 o, vec3 inverse) {
     vec3 a = (box.low - o) * inverse, b = (box.high - o) * inverse, near = min(a, b), far = max(a, b);
     return vec2(max(max(near.x, near.y), near.z), min(min(far.x, far.y), far.z));
+}
+
+// Squares up to this wide are met as their boxes, after `boxes` of the walk; a leaf is `leaf_size` wide.
+FUNC float met_whole(int boxes, float leaf_size) {
+    return boxes < kFineBoxes ? 0.0f : leaf_size * power_of_two((boxes - kFineBoxes) / kCoarserBoxes);
 }
 
 struct DbvhRay {
@@ -230,8 +239,9 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         if (!(span.x <= span.y && r.t0 + span.y >= t_min && r.t0 + span.x <= hit.t)) continue;
         vec3 extent = box.high - box.low;
         float largest = max(max(extent.x, extent.y), extent.z);
-        // Below a pixel, or by choice, the box is the surface.
-        if ((w.level <= leaf_level && leaf == kLeafBox) || largest <= pixel * (r.t0 + span.x)) {
+        // Below a pixel, by choice, or for want of boxes, the box is the surface.
+        bool whole = size <= met_whole(i, stride) && r.t0 + span.x >= t_min;
+        if ((w.level <= leaf_level && leaf == kLeafBox) || largest <= pixel * (r.t0 + span.x) || whole) {
             take_box(p, g, middle, r, span.x, found, hit);
             continue;
         }

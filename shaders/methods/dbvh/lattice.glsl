@@ -141,12 +141,13 @@ FUNC bool intersect_lattice(Primitive p, ObjectData ob, ProceduralData data, Lat
         note(kNoteStep, r.t0 + span.x, to_texels(m, from / range), 0.0f, float(abs(w.part.size)));
         if (!(span.x <= span.y && r.t0 + span.y >= r.t_min && r.t0 + span.x <= hit.t)) continue;
         bool last = w.in_square && abs(w.part.size) == 1;
-        bool tiny = false;
+        float size = w.in_square ? float(abs(w.part.size)) : power_of_two(w.squares.level);
+        bool whole = size <= met_whole(i, 1.0f) && r.t0 + span.x >= r.t_min, tiny = false;
         if (pixel > 0.0f) {
             float wide = 2.0f * dot(half_size, lengths) + prism.turn * max(abs(heights.x), abs(heights.y));
             tiny = max(wide, prism.high.w - prism.low.w) <= pixel * (r.t0 + span.x);
         }
-        if ((last && leaf == kLeafBox) || tiny) {
+        if ((last && leaf == kLeafBox) || tiny || whole) {
             take_box(p, g, middle, r, span.x, found, hit);
         } else if (last) {
             Piece e = part_piece(p, m, corner, w.part, range);
