@@ -120,6 +120,12 @@ void add_normals(std::vector<CaseEntry>& list) {
         c.objects[0].paint(16, 16, cliff_map(16, 16).value);
         return c;
     });
+    add("folded_shell_rows_of_cliffs", "the same, lower, with rows of cliffs that cross the triangle aslant", [] {
+        Case c = spread_triangle(0.9, 0.9);
+        c.objects[0].mesh.uvs = {{0, 0}, {0.4f, 2}, {-0.3f, 1.5f}};
+        c.objects[0].paint(1, 32, cliff_map(1, 32).value);
+        return c;
+    });
 }
 
 }  // namespace

@@ -198,8 +198,10 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
             root.z = a.s.z + a.s1.z * change.x + a.s2.z * change.y;
             gain = vec2(abs(a.s2.x) + abs(a.s2.y), abs(a.s1.x) + abs(a.s1.y)) * (abs(inverse) * (rounding + noise));
             slack += min(max(gain.x, gain.y), r);
-            vec2 place = patch_texel(f, root.b) - cell,
-                 border = min(vec2(texel_rounding) + abs(f.tx1) * gain.x + abs(f.tx2) * gain.y, vec2(kMostBorder));
+            // How far its texel moves with the ray: up a cliff hardly at all, however far its barycentrics do.
+            vec2 by_x = f.tx1 * a.s2.y - f.tx2 * a.s1.y, by_y = f.tx2 * a.s1.x - f.tx1 * a.s2.x;
+            vec2 moves = (abs(by_x) + abs(by_y)) * (abs(inverse) * (rounding + noise));
+            vec2 place = patch_texel(f, root.b) - cell, border = min(vec2(texel_rounding) + moves, vec2(kMostBorder));
             root.inside = max(abs(off.x), abs(off.y)) <= r + slack && place.x >= -border.x &&
                           place.y >= -border.y && place.x <= 1.0f + border.x && place.y <= 1.0f + border.y;
             return root;
