@@ -74,22 +74,25 @@ struct Work {
 };
 
 // Calls each(part, i) for every i in [0, count), in blocks that the cores share: `part` is `work` with
-// changes of its own, which come together in the order of i.
+// changes of its own, which come together in the order of i, some blocks at a time: of a large dab, all of
+// them would hold many megabytes twice.
 template <typename Each>
 void in_blocks(const Work& work, std::size_t count, const Each& each) {
     constexpr std::size_t kBlock = 2048;  // texels: of a tool that resamples, a few milliseconds
-    std::vector<std::vector<TexelChange>> changes((count + kBlock - 1) / kBlock);
-    share_work(changes.size(), [&](std::size_t block) {
-        const Work part{work.brush,  work.place, work.surface,         work.seams,
-                        work.stroke, work.mask,  work.counts_per_unit, changes[block]};
-        for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) each(part, i);
-    });
-    std::size_t wanted = work.changes.size();
-    for (const auto& own : changes) wanted += own.size();
-    work.changes.reserve(wanted);
-    for (auto& own : changes) {
-        work.changes.insert(work.changes.end(), own.begin(), own.end());
-        std::vector<TexelChange>().swap(own);  // of a large dab, many megabytes
+    constexpr std::size_t kAtATime = 64;  // blocks
+    std::vector<std::vector<TexelChange>> changes(std::min((count + kBlock - 1) / kBlock, kAtATime));
+    for (std::size_t begin = 0; begin < count; begin += kAtATime * kBlock) {
+        const std::size_t end = std::min(count, begin + kAtATime * kBlock);
+        share_work((end - begin + kBlock - 1) / kBlock, [&](std::size_t block) {
+            const Work part{work.brush,  work.place, work.surface,         work.seams,
+                            work.stroke, work.mask,  work.counts_per_unit, changes[block]};
+            const std::size_t first = begin + block * kBlock;
+            for (std::size_t i = first; i < std::min(end, first + kBlock); ++i) each(part, i);
+        });
+        for (auto& own : changes) {
+            work.changes.insert(work.changes.end(), own.begin(), own.end());
+            own.clear();
+        }
     }
 }
 

@@ -2,9 +2,9 @@
 #include "brushes/relief.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "brushes/dab_work.h"
 
@@ -16,18 +16,8 @@ constexpr std::size_t kFewTexels = 24;
 constexpr std::size_t kLevels = 3;  // grids, each with 4 times the reach: islands may differ in scale
 constexpr double kWidening = 4.0;
 
-constexpr std::int64_t kSpan = 1 << 20;  // cells a side
-
-std::int64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z) {
-    return ((x + kSpan / 2) * kSpan + (y + kSpan / 2)) * kSpan + (z + kSpan / 2);
-}
-
 std::int64_t cell_of(double place, double cell) {
     return static_cast<std::int64_t>(std::clamp(std::floor(place / cell), -4e5, 4e5));
-}
-
-std::size_t slot_of(std::int64_t key, std::size_t slots) {
-    return (static_cast<std::uint64_t>(key) * 0x9e3779b97f4a7c15u >> 32) & (slots - 1);
 }
 
 // From the mean of neighbours in a row, and from the ball's area: relief takes texels out of the ball, and
@@ -80,7 +70,9 @@ Relief::Relief(const Work& work, glm::vec3 centre, float reach) : centre_(centre
     std::vector<Site> sites;
     sites.reserve(texels.size());
     for (const SurfaceTexel& t : texels) sites.push_back({base_of(work, t), t.normal, work.value(t)});
-    make_grids(texels, sites, reach + margin);
+    const double spacing = texel_spacing(texels, sites, double{reach + margin});
+    std::vector<SurfaceTexel>().swap(texels);  // of a large dab, many megabytes
+    make_grids(std::move(sites), kReach * spacing);
 }
 
 Relief::Relief(const Work& work, const SurfacePoint& about, float reach) : centre_(about.base) {
@@ -109,41 +101,38 @@ Relief::Relief(const Work& work, const SurfacePoint& about, float reach) : centr
     sites.reserve(texels.size());
     for (const SurfaceTexel& t : texels)
         sites.push_back({beside(base_of(work, t)), n, static_cast<float>(work.stroke.before(t.x, t.y))});
-    make_grids(texels, sites, ball + margin);
+    const double spacing = texel_spacing(texels, sites, double{ball + margin});
+    std::vector<SurfaceTexel>().swap(texels);
+    make_grids(std::move(sites), kReach * spacing);
 }
 
-void Relief::make_grids(const std::vector<SurfaceTexel>& texels, const std::vector<Site>& sites,
-                        float reach) {
-    double fit_reach = kReach * texel_spacing(texels, sites, static_cast<double>(reach));
-    for (std::size_t level = 0; level < kLevels; ++level, fit_reach *= kWidening)
-        grids_.push_back(make_grid(sites, centre_, fit_reach));
-}
-
-Relief::Grid Relief::make_grid(std::span<const Site> sites, glm::vec3 centre, double reach) {
-    Grid grid;
-    grid.reach = reach;
-    const std::size_t slots = std::bit_ceil(2 * sites.size() + 1);
-    grid.cells.assign(slots, {0, 0, 0});
-    std::vector<std::uint32_t> slot_of_site(sites.size());
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-        const glm::dvec3 d = glm::dvec3(sites[i].base) - glm::dvec3(centre);
-        const std::int64_t key =
-            key_of(cell_of(d.x, 2 * reach), cell_of(d.y, 2 * reach), cell_of(d.z, 2 * reach));
-        std::size_t slot = slot_of(key, slots);
-        while (grid.cells[slot].count > 0 && grid.cells[slot].key != key) slot = (slot + 1) & (slots - 1);
-        grid.cells[slot].key = key;
-        ++grid.cells[slot].count;
-        slot_of_site[i] = static_cast<std::uint32_t>(slot);
+void Relief::make_grids(std::vector<Site>&& sites, double fit_reach) {
+    sites_ = std::move(sites);
+    const auto count = static_cast<std::uint32_t>(sites_.size());
+    grids_.resize(kLevels);
+    std::vector<std::uint32_t> place_in_finest;
+    for (std::size_t level = 0; level < kLevels; ++level, fit_reach *= kWidening) {
+        Grid& grid = grids_[level];
+        grid.reach = fit_reach;
+        std::vector<std::uint32_t> places = grid.cells.place(count, [&](std::uint32_t i) {
+            const glm::dvec3 d = glm::dvec3(sites_[i].base) - glm::dvec3(centre_);
+            return CellTable::key(cell_of(d.x, 2 * fit_reach), cell_of(d.y, 2 * fit_reach),
+                                  cell_of(d.z, 2 * fit_reach));
+        });
+        if (level == 0) {
+            place_in_finest = std::move(places);
+            continue;
+        }
+        grid.sites.resize(count);
+        for (std::uint32_t i = 0; i < count; ++i) grid.sites[places[i]] = place_in_finest[i];
     }
-    std::uint32_t first = 0;
-    for (Cell& cell : grid.cells) cell.first = first, first += cell.count;
-    std::vector<std::uint32_t> filled(slots, 0);
-    grid.sites.resize(sites.size());
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-        const std::uint32_t slot = slot_of_site[i];
-        grid.sites[grid.cells[slot].first + filled[slot]++] = sites[i];
-    }
-    return grid;
+    // In place: a second list would be as large again.
+    for (std::uint32_t i = 0; i < count; ++i)
+        while (place_in_finest[i] != i) {
+            const std::uint32_t to = place_in_finest[i];
+            std::swap(sites_[i], sites_[to]);
+            std::swap(place_in_finest[i], place_in_finest[to]);
+        }
 }
 
 std::optional<Relief::Fit> Relief::fit(const Grid& grid, glm::dvec3 base, glm::dvec3 n) const {
@@ -157,13 +146,10 @@ std::optional<Relief::Fit> Relief::fit(const Grid& grid, glm::dvec3 base, glm::d
     Sums sums;
     std::size_t used = 0;
     for (int corner = 0; corner < 8; ++corner) {
-        const std::int64_t key =
-            key_of(low[0] + (corner & 1), low[1] + (corner >> 1 & 1), low[2] + (corner >> 2 & 1));
-        std::size_t slot = slot_of(key, grid.cells.size());
-        while (grid.cells[slot].count > 0 && grid.cells[slot].key != key)
-            slot = (slot + 1) & (grid.cells.size() - 1);
-        for (std::uint32_t i = 0; i < grid.cells[slot].count; ++i) {
-            const Site& site = grid.sites[grid.cells[slot].first + i];
+        const auto [first, held] = grid.cells.find(
+            CellTable::key(low[0] + (corner & 1), low[1] + (corner >> 1 & 1), low[2] + (corner >> 2 & 1)));
+        for (std::uint32_t i = first; i < first + held; ++i) {
+            const Site& site = sites_[grid.sites.empty() ? i : grid.sites[i]];
             const glm::dvec3 offset = glm::dvec3(site.base) - base;
             if (!(glm::dot(glm::dvec3(site.normal), n) > 0.0)) continue;
             const double x = glm::dot(offset, u), y = glm::dot(offset, v), square = x * x + y * y;

@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
-#include <span>
 #include <vector>
 
+#include "brushes/cell_table.h"
 #include "brushes/surface.h"
 
 namespace relievo {
@@ -49,22 +49,18 @@ class Relief {
     std::optional<Fit> at(glm::vec3 base, glm::vec3 normal) const;
 
   private:
-    struct Cell {
-        std::int64_t key;
-        std::uint32_t first, count;  // of sites
-    };
-    // The sites in cells of one size, hashed; within a cell in their given order.
+    // The sites in cells of one size; within a cell in the surface's order.
     struct Grid {
         double reach = 0;  // of a fit; a cell is twice as wide
-        std::vector<Site> sites;
-        std::vector<Cell> cells;  // open addressing, a power of two; count 0: free
+        CellTable cells;
+        std::vector<std::uint32_t> sites;  // cell by cell; empty: sites_ themselves lie so
     };
 
-    void make_grids(const std::vector<SurfaceTexel>& texels, const std::vector<Site>& sites, float reach);
-    static Grid make_grid(std::span<const Site> sites, glm::vec3 centre, double reach);
+    void make_grids(std::vector<Site>&& sites, double fit_reach);
     std::optional<Fit> fit(const Grid& grid, glm::dvec3 base, glm::dvec3 normal) const;
 
     glm::vec3 centre_;
+    std::vector<Site> sites_;  // in the finest grid's order
     std::vector<Grid> grids_;  // the finest first: a place too far from its sites is asked of the next
 };
 

@@ -40,8 +40,8 @@ struct Sculptor::State {
 
     // The hand (first) or a copy by symmetry, with what the stroke remembers of it, in its own frame.
     struct Branch {
-        std::unique_ptr<TurnedSurface> turned;  // null without symmetry
-        std::optional<glm::vec3> last_place;    // of the last dab, world units
+        std::unique_ptr<TurnedSurface> turned;    // null without symmetry
+        std::optional<glm::vec3> last_place;      // of the last dab, world units
         std::optional<glm::dvec3> last_in_world;  // the same in world space, not in its own frame
         std::shared_ptr<Hold> hold;
     };
@@ -85,6 +85,7 @@ struct Sculptor::State {
     void apply(const Dab& dab, Points copies, Points sources);
     void apply_step(const Dab& dab, Points copies, Points sources, glm::vec3 drag);
     std::vector<TexelRect> take(bool redo);
+    void finish_stroke();
     void push_step();
     void change_mask(const std::function<void(HeightMap&)>& change);
 
@@ -229,6 +230,12 @@ std::vector<TexelRect> Sculptor::State::take(bool redo) {
     return shown(std::move(heights), Layer::height);
 }
 
+void Sculptor::State::finish_stroke() {
+    stroke.reset();
+    paint.reset();
+    branches.clear();  // grab's hold hundreds of bytes a texel
+}
+
 void Sculptor::State::push_step() {
     if (layer() == Layer::height) saved.keep(*stroke);
     std::vector<LayerStroke> parts{{*stroke, map_of(layer()), layer()}};
@@ -289,8 +296,7 @@ std::vector<TexelRect> Sculptor::end() {
     }
     state_->push_step();
     state_->clipped = layer == Layer::height ? stroke.clipped_texels() : 0;
-    state_->stroke.reset();
-    state_->paint.reset();
+    state_->finish_stroke();
     return rects;
 }
 
@@ -299,8 +305,7 @@ std::vector<TexelRect> Sculptor::cancel() {
     std::vector<TexelRect> rects = state_->shown(state_->stroke->restore(), state_->layer());
     if (state_->paint) state_->note_painted(state_->paint->restore());
     state_->clipped = 0;
-    state_->stroke.reset();
-    state_->paint.reset();
+    state_->finish_stroke();
     return rects;
 }
 
