@@ -25,9 +25,7 @@ void clone(const Work& work) {
     const TangentFrame here =
         tangent_frame(source.base_normal, turned(there.right, glm::dvec3(work.place.hand)));
     const Relief relief(work, source, work.place.radius);
-    const std::vector<SurfaceTexel> texels = work.texels(work.place.radius);
-    in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
-        const SurfaceTexel& texel = texels[i];
+    in_ball(work, [&](const Work& part, const SurfaceTexel& texel) {
         const float weight = part.weight(texel);
         if (weight == 0.0f || !(glm::dot(texel.normal, target.base_normal) > 0.0f)) return;
         const glm::dvec3 offset = glm::dvec3(base_of(part, texel)) - glm::dvec3(target.base);

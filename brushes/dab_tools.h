@@ -38,7 +38,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "brushes/brush.h"
@@ -87,8 +86,5 @@ bool adds_up(const Brush& brush);
 // dab left it) and `stroke`; writes nothing but place.hold. `mask`: 65535 protects a texel; null: none.
 std::vector<TexelChange> dab_changes(const Brush& brush, const DabPlace& place, const Surface& surface,
                                      const Seams& seams, const StrokeTiles& stroke, const HeightMap* mask);
-
-// Writes the changes of a dab's copies, each as dab_changes() gave them. `add_up`: as adds_up() says.
-void apply_together(std::span<const std::vector<TexelChange>> of_copies, bool add_up, StrokeTiles& stroke);
 
 }  // namespace relievo

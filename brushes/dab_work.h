@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "brushes/dab_tools.h"
@@ -94,6 +95,15 @@ void in_blocks(const Work& work, std::size_t count, const Each& each) {
             own.clear();
         }
     }
+}
+
+// The same for every texel of the dab's ball, each(part, texel), without a list of them all.
+template <typename Each>
+void in_ball(const Work& work, const Each& each) {
+    const DabPlace& place = work.place;
+    work.surface.visit_ball(place.centre.position, place.radius, [&](std::span<const SurfaceTexel> texels) {
+        in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) { each(part, texels[i]); });
+    });
 }
 
 void draw(const Work& work);

@@ -31,9 +31,7 @@ float pinch_part(const Work& work, const SurfaceTexel& texel, float much) {
 
 void pinch(const Work& work) {
     const Relief relief(work, (1.0f + kPinch) * work.place.radius);
-    const std::vector<SurfaceTexel> texels = work.texels(work.place.radius);
-    in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
-        const SurfaceTexel& texel = texels[i];
+    in_ball(work, [&](const Work& part, const SurfaceTexel& texel) {
         const float inwards = pinch_part(part, texel, 1.0f);
         if (inwards == 0.0f || part.is_back(texel)) return;
         const glm::vec3 out = along_surface(texel.position - part.place.centre.position, texel.normal);
@@ -48,9 +46,7 @@ void crease(const Work& work) {
     const float depth =
         work.counts(double{kDrawRise} * double{work.place.radius} * double{work.brush.spacing}) *
         -work.sign();
-    const std::vector<SurfaceTexel> texels = work.texels(work.place.radius);
-    in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
-        const SurfaceTexel& texel = texels[i];
+    in_ball(work, [&](const Work& part, const SurfaceTexel& texel) {
         const float weight = part.weight(texel), falloff = part.falloff(texel);
         if (weight == 0.0f || part.is_back(texel)) return;
         const glm::vec3 out = along_surface(texel.position - part.place.centre.position, texel.normal);
@@ -66,9 +62,7 @@ void smear(const Work& work) {
     const float way = glm::length(motion);
     if (!(way > 0.0f)) return;
     const Relief relief(work, work.place.radius + way);
-    const std::vector<SurfaceTexel> texels = work.texels(work.place.radius);
-    in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
-        const SurfaceTexel& texel = texels[i];
+    in_ball(work, [&](const Work& part, const SurfaceTexel& texel) {
         const float weight = part.weight(texel);
         if (weight == 0.0f || part.is_back(texel)) return;
         const glm::vec3 back = -weight * along_surface(motion, texel.normal);
@@ -83,15 +77,15 @@ void smear(const Work& work) {
 struct Hold {
     struct Texel {
         SurfaceTexel texel;
-        glm::vec3 base;
-        float value, change;
+        float change;
     };
     Hold(const Work& work, glm::vec3 at, glm::vec3 the_drag)
         : centre(at), drag(the_drag), relief(work, at, 2.2f * work.place.radius) {
-        std::vector<SurfaceTexel> found;
-        work.surface.texels_in_ball(at, 1.6f * work.place.radius, found);
-        for (const SurfaceTexel& t : found)
-            if (!work.is_back(t)) texels.push_back({t, base_of(work, t), work.value(t), work.change(t)});
+        work.surface.visit_ball(at, 1.6f * work.place.radius, [&](std::span<const SurfaceTexel> found) {
+            for (const SurfaceTexel& t : found)
+                if (!work.is_back(t)) texels.push_back({t, work.change(t)});
+        });
+        texels.shrink_to_fit();
     }
 
     glm::vec3 centre, drag, last_drag{0};  // the hand's when it took hold
@@ -139,7 +133,10 @@ void grab(const Work& work) {
         float to = held.change;
         if (weight > 0.0f) {
             const float lift = part.counts(double{weight} * double{glm::dot(drag, held.texel.normal)});
-            to += lift + carried(hold->relief, held.base, -weight * tangent, held.texel, held.value);
+            const float before = static_cast<float>(part.stroke.before(held.texel.x, held.texel.y));
+            const float value = before + held.change;
+            const glm::vec3 base = base_of(part, held.texel, value);
+            to += lift + carried(hold->relief, base, -weight * tangent, held.texel, value);
         }
         if (to != part.change(held.texel))
             part.changes.push_back({held.texel.x, held.texel.y, held.change, to});

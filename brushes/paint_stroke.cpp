@@ -5,7 +5,9 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
+#include "brushes/copy_changes.h"
 #include "brushes/dab_work.h"
 #include "brushes/pressed_image.h"
 #include "brushes/shared_work.h"
@@ -56,15 +58,17 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
 
 void PaintStroke::smooth_planes(std::span<const Place> places, float pressure, const HeightMap* mask) {
     for (auto& plane : planes_) {
-        std::vector<std::vector<TexelChange>> wanted(places.size());
+        CopyChanges wanted(places.size(), false, *plane);
         share_work(places.size(), [&](std::size_t i) {
             const Place& place = places[i];
             std::shared_ptr<Hold> nothing_held;
             const DabPlace at{place.centre, pressure, place.radius, glm::vec3(0),
                               glm::vec3(0), 1.0f,     nothing_held};
-            smooth({brush_, at, place.surface, seams_, *plane, mask, 1.0, wanted[i]});
+            std::vector<TexelChange> changes;
+            smooth({brush_, at, place.surface, seams_, *plane, mask, 1.0, changes});
+            wanted.add(i, std::move(changes));
         });
-        apply_together(wanted, false, *plane);
+        wanted.apply();
         seams_.follow(*plane, Across::values);
     }
 }

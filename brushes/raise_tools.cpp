@@ -15,21 +15,20 @@ void raise(const Work& work, Part part_of) {
     const Brush& brush = work.brush;
     const double passes = brush.accumulate ? double{brush.spacing} : 1.0;
     const float counts = work.counts(double{kDrawRise} * double{work.place.radius} * passes) * work.sign();
-    const std::vector<SurfaceTexel> texels = work.texels(work.place.radius);
-    in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
-        const float weight = part.weight(texels[i]);
-        if (weight != 0.0f) part.raise(texels[i], counts * weight * part_of(texels[i]));
+    in_ball(work, [&](const Work& part, const SurfaceTexel& texel) {
+        const float weight = part.weight(texel);
+        if (weight != 0.0f) part.raise(texel, counts * weight * part_of(texel));
     });
 }
 
 // `target_of(texel)`, in counts, is where it moves a texel to.
 template <typename Target>
 void move_to(const Work& work, Target target_of) {
-    for (const SurfaceTexel& texel : work.texels(work.place.radius)) {
-        const float before = static_cast<float>(work.stroke.before(texel.x, texel.y));
-        const float change = (target_of(texel) - before) * work.weight(texel);
-        if (std::abs(change) > std::abs(work.change(texel))) work.change_to(texel, change);
-    }
+    in_ball(work, [&](const Work& part, const SurfaceTexel& texel) {
+        const float before = static_cast<float>(part.stroke.before(texel.x, texel.y));
+        const float change = (target_of(texel) - before) * part.weight(texel);
+        if (std::abs(change) > std::abs(part.change(texel))) part.change_to(texel, change);
+    });
 }
 
 }  // namespace

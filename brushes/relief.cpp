@@ -20,19 +20,41 @@ std::int64_t cell_of(double place, double cell) {
     return static_cast<std::int64_t>(std::clamp(std::floor(place / cell), -4e5, 4e5));
 }
 
-// From the mean of neighbours in a row, and from the ball's area: relief takes texels out of the ball, and
-// footprints may be stretched.
-double texel_spacing(const std::vector<SurfaceTexel>& texels, const std::vector<Relief::Site>& sites,
-                     double reach) {
-    const double by_area = reach * std::sqrt(3.14159265 / static_cast<double>(texels.size()));
-    double sum = 0, count = 0;
-    for (std::size_t i = 0; i + 1 < texels.size(); ++i) {
-        if (texels[i + 1].x != texels[i].x + 1 || texels[i + 1].y != texels[i].y) continue;
-        const double step = static_cast<double>(glm::length(sites[i + 1].base - sites[i].base));
-        if (step > reach) continue;  // over a seam to another island
-        sum += step, count += 1;
+// Between neighbours: from the mean of those in a row, and from the ball's area: relief takes texels out of
+// the ball, and footprints may be stretched. Texels are added in the surface's order.
+class Spacing {
+  public:
+    explicit Spacing(double reach) : reach_(reach) {}
+
+    void add(const SurfaceTexel& texel, glm::vec3 base) {
+        if (texels_ > 0 && texel.x == x_ + 1 && texel.y == y_) {
+            const double step = static_cast<double>(glm::length(base - base_));
+            if (step <= reach_) sum_ += step, count_ += 1;  // else over a seam to another island
+        }
+        x_ = texel.x, y_ = texel.y, base_ = base;
+        texels_ += 1;
     }
-    return count > 0 && sum > 0 ? std::clamp(by_area, sum / count, 3.0 * sum / count) : by_area;
+    double value() const {
+        const double by_area = reach_ * std::sqrt(3.14159265 / texels_);
+        return count_ > 0 && sum_ > 0 ? std::clamp(by_area, sum_ / count_, 3.0 * sum_ / count_) : by_area;
+    }
+
+  private:
+    double reach_, sum_ = 0, count_ = 0, texels_ = 0;
+    std::int32_t x_ = 0, y_ = 0;
+    glm::vec3 base_{0};
+};
+
+// A margin of texels around a ball, for fits at the rim: its width, and how many texels both hold together.
+constexpr float kMargin = 3.0f;  // texels
+
+float margin_of(float ball, std::size_t texels) {
+    return kMargin * ball * std::sqrt(3.14159265f / static_cast<float>(texels));
+}
+
+std::size_t with_margin(std::size_t texels) {
+    const double side = std::sqrt(static_cast<double>(texels)) + double{kMargin} * std::sqrt(3.14159265);
+    return static_cast<std::size_t>(side * side);
 }
 
 // Weighted sums for a plane about their mean.
@@ -51,7 +73,11 @@ struct Sums {
 }  // namespace
 
 glm::vec3 base_of(const Work& work, const SurfaceTexel& texel) {
-    const float count = std::floor(work.value(texel) + 0.5f);
+    return base_of(work, texel, work.value(texel));
+}
+
+glm::vec3 base_of(const Work& work, const SurfaceTexel& texel, float value) {
+    const float count = std::floor(value + 0.5f);
     const float height = work.surface.amplitude() * (count / kTop - work.surface.midlevel());
     return texel.position - height * texel.normal;
 }
@@ -59,20 +85,20 @@ glm::vec3 base_of(const Work& work, const SurfaceTexel& texel) {
 Relief::Relief(const Work& work, float reach) : Relief(work, work.place.centre.position, reach) {}
 
 Relief::Relief(const Work& work, glm::vec3 centre, float reach) : centre_(centre) {
-    std::vector<SurfaceTexel> texels;
-    work.surface.texels_in_ball(centre, reach, texels);
-    for (int doubled = 0; doubled < 4 && texels.size() < kFewTexels; ++doubled)
-        work.surface.texels_in_ball(centre, reach *= 2.0f, texels);
-    if (texels.empty()) return;
-    // A margin of texels, for fits at the rim.
-    const float margin = 3.0f * reach * std::sqrt(3.14159265f / static_cast<float>(texels.size()));
-    work.surface.texels_in_ball(centre, reach + margin, texels);
-    std::vector<Site> sites;
-    sites.reserve(texels.size());
-    for (const SurfaceTexel& t : texels) sites.push_back({base_of(work, t), t.normal, work.value(t)});
-    const double spacing = texel_spacing(texels, sites, double{reach + margin});
-    std::vector<SurfaceTexel>().swap(texels);  // of a large dab, many megabytes
-    make_grids(std::move(sites), kReach * spacing);
+    std::size_t texels = work.surface.count_in_ball(centre, reach);
+    for (int doubled = 0; doubled < 4 && texels < kFewTexels; ++doubled)
+        texels = work.surface.count_in_ball(centre, reach *= 2.0f);
+    if (texels == 0) return;
+    const float ball = reach + margin_of(reach, texels);
+    sites_.reserve(with_margin(texels));
+    Spacing spacing(double{ball});
+    work.surface.visit_ball(centre, ball, [&](std::span<const SurfaceTexel> part) {
+        for (const SurfaceTexel& t : part) {
+            sites_.push_back({base_of(work, t), t.normal, work.value(t)});
+            spacing.add(t, sites_.back().base);
+        }
+    });
+    make_grids(kReach * spacing.value());
 }
 
 Relief::Relief(const Work& work, const SurfacePoint& about, float reach) : centre_(about.base) {
@@ -81,33 +107,37 @@ Relief::Relief(const Work& work, const SurfacePoint& about, float reach) : centr
     constexpr int kMostRounds = 6;
     const glm::vec3 n = about.base_normal;
     const auto beside = [&](glm::vec3 place) { return place - n * glm::dot(place - about.base, n); };
-    std::vector<SurfaceTexel> texels;
+    std::size_t texels = 0;
     float ball = 1.1f * reach;
     for (int round = 0; round < kMostRounds; ++round) {
-        work.surface.texels_in_ball(about.position, ball, texels);
-        float needed = texels.size() < kFewTexels ? 2.0f * ball : 0.0f;
-        for (const SurfaceTexel& t : texels)
-            if (glm::length(beside(t.position) - about.base) < reach)
-                needed = std::max(needed, 1.1f * std::hypot(reach, glm::dot(t.position - about.position, n)));
+        float needed = 0.0f;
+        texels = 0;
+        work.surface.visit_ball(about.position, ball, [&](std::span<const SurfaceTexel> part) {
+            texels += part.size();
+            for (const SurfaceTexel& t : part)
+                if (glm::length(beside(t.position) - about.base) < reach)
+                    needed =
+                        std::max(needed, 1.1f * std::hypot(reach, glm::dot(t.position - about.position, n)));
+        });
+        if (texels < kFewTexels) needed = std::max(needed, 2.0f * ball);
         if (needed <= ball) break;
         ball = needed;
     }
-    if (texels.empty()) return;
-    const float margin = 3.0f * ball * std::sqrt(3.14159265f / static_cast<float>(texels.size()));
-    work.surface.texels_in_ball(about.position, ball + margin, texels);
-    std::erase_if(texels, [&](const SurfaceTexel& t) { return !(glm::dot(t.normal, n) > 0.0f); });
-    if (texels.empty()) return;
-    std::vector<Site> sites;
-    sites.reserve(texels.size());
-    for (const SurfaceTexel& t : texels)
-        sites.push_back({beside(base_of(work, t)), n, static_cast<float>(work.stroke.before(t.x, t.y))});
-    const double spacing = texel_spacing(texels, sites, double{ball + margin});
-    std::vector<SurfaceTexel>().swap(texels);
-    make_grids(std::move(sites), kReach * spacing);
+    if (texels == 0) return;
+    ball += margin_of(ball, texels);
+    sites_.reserve(with_margin(texels));
+    Spacing spacing(double{ball});
+    work.surface.visit_ball(about.position, ball, [&](std::span<const SurfaceTexel> part) {
+        for (const SurfaceTexel& t : part) {
+            if (!(glm::dot(t.normal, n) > 0.0f)) continue;
+            sites_.push_back({beside(base_of(work, t)), n, static_cast<float>(work.stroke.before(t.x, t.y))});
+            spacing.add(t, sites_.back().base);
+        }
+    });
+    if (!sites_.empty()) make_grids(kReach * spacing.value());
 }
 
-void Relief::make_grids(std::vector<Site>&& sites, double fit_reach) {
-    sites_ = std::move(sites);
+void Relief::make_grids(double fit_reach) {
     const auto count = static_cast<std::uint32_t>(sites_.size());
     grids_.resize(kLevels);
     std::vector<std::uint32_t> place_in_finest;

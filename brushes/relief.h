@@ -20,8 +20,9 @@ namespace relievo {
 
 struct Work;
 
-// Where the texel stands on the base mesh.
+// Where the texel stands on the base mesh; the second where its value, in counts, is no longer the stroke's.
 glm::vec3 base_of(const Work& work, const SurfaceTexel& texel);
+glm::vec3 base_of(const Work& work, const SurfaceTexel& texel, float value);
 
 class Relief {
   public:
@@ -56,7 +57,7 @@ class Relief {
         std::vector<std::uint32_t> sites;  // cell by cell; empty: sites_ themselves lie so
     };
 
-    void make_grids(std::vector<Site>&& sites, double fit_reach);
+    void make_grids(double fit_reach);  // of sites_, as the surface gave them
     std::optional<Fit> fit(const Grid& grid, glm::dvec3 base, glm::dvec3 normal) const;
 
     glm::vec3 centre_;

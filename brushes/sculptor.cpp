@@ -10,7 +10,9 @@
 #include <string>
 #include <utility>
 
+#include "brushes/copy_changes.h"
 #include "brushes/copy_shares.h"
+#include "brushes/dab_cost.h"
 #include "brushes/dab_tools.h"
 #include "brushes/mask_blur.h"
 #include "brushes/paint_stroke.h"
@@ -103,8 +105,9 @@ struct Sculptor::State {
     ColourMap* colours = nullptr;
     std::vector<TexelRect> painted;  // since take_painted(), each within one tile
     std::vector<Branch> branches;
-    glm::vec3 last_drag{0};   // world units
-    std::size_t clipped = 0;  // of the last stroke
+    std::optional<std::size_t> at_once;  // copies in work, as the stroke's first dab says; empty before
+    glm::vec3 last_drag{0};              // world units
+    std::size_t clipped = 0;             // of the last stroke
 };
 
 std::vector<TexelRect> Sculptor::State::shown(std::vector<TexelRect> rects, Layer which) {
@@ -125,6 +128,7 @@ void Sculptor::State::start(const Brush& the_brush, std::shared_ptr<const Alpha>
         if (copies.size() > 1) branches.back().turned = std::make_unique<TurnedSurface>(surface, copy);
     }
     last_drag = glm::vec3(0);
+    at_once.reset();
     stroke.emplace(map_of(layer()));
     paint.reset();
     if (paints(brush))
@@ -200,8 +204,13 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
     const std::vector<float> share =
         add_up ? copy_shares(places, double{radius}) : std::vector<float>(branches.size(), 1.0f);
     // Each reads the stroke as the last dab left it.
-    std::vector<std::vector<TexelChange>> wanted(branches.size());
-    share_work(branches.size(), [&](std::size_t i) {
+    CopyChanges wanted(branches.size(), add_up, *stroke);
+    if (!at_once) {
+        const bool copied = branches.size() > 1;
+        at_once =
+            copies_at_once(brush.tool, copied ? surface.count_in_ball(centres[0].position, brush.radius) : 0);
+    }
+    const auto work_out = [&](std::size_t i) {
         Branch& branch = branches[i];
         glm::vec3 motion = branch.last_place ? centres[i].position - *branch.last_place : glm::vec3(0);
         if (!(glm::length(motion) < kJump * brush.radius)) motion = glm::vec3(0);
@@ -212,9 +221,10 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
         place.saved = &saved;
         const SurfacePoint source = sources.empty() ? SurfacePoint() : seen(branch, sources[i]);
         if (!sources.empty()) place.source = &source;
-        wanted[i] = dab_changes(brush, place, surface_of(branch), seams, *stroke, protection());
-    });
-    apply_together(wanted, add_up, *stroke);
+        wanted.add(i, dab_changes(brush, place, surface_of(branch), seams, *stroke, protection()));
+    };
+    share_work(branches.size(), work_out, *at_once);
+    wanted.apply();
     seams.follow(*stroke, across());
 }
 

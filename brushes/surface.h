@@ -2,9 +2,12 @@
 // The editor's session implements it over the scene; tests implement it over a plane.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 namespace relievo {
@@ -100,6 +103,27 @@ class Surface {
     virtual void precise_texels_in_ball(glm::vec3 centre, float radius,
                                         std::vector<SurfaceTexel>& out) const {
         texels_in_ball(centre, radius, out);
+    }
+
+    // The same texels without a list of all: calls visit(part) with one after the other, at most about
+    // 100,000 in a part. As they stand: of surfaces that
+    // hold few texels.
+    using TexelVisitor = std::function<void(std::span<const SurfaceTexel>)>;
+    virtual void visit_ball(glm::vec3 centre, float radius, const TexelVisitor& visit) const {
+        std::vector<SurfaceTexel> all;
+        texels_in_ball(centre, radius, all);
+        visit(all);
+    }
+    virtual void visit_ball_precisely(glm::vec3 centre, float radius, const TexelVisitor& visit) const {
+        std::vector<SurfaceTexel> all;
+        precise_texels_in_ball(centre, radius, all);
+        visit(all);
+    }
+
+    std::size_t count_in_ball(glm::vec3 centre, float radius) const {
+        std::size_t texels = 0;
+        visit_ball(centre, radius, [&](std::span<const SurfaceTexel> part) { texels += part.size(); });
+        return texels;
     }
 
     // From the object's own space, in which symmetry has its planes and axes, to that of the positions.

@@ -78,13 +78,26 @@ SurfacePoint TurnedSurface::at(std::uint32_t face, float b1, float b2) const {
             seen(point.base_normal, 0.0)};
 }
 
-void TurnedSurface::texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const {
-    surface_.precise_texels_in_ball(glm::vec3(world_from_hand_ * glm::dvec4(centre, 1.0)), radius, out);
-    for (SurfaceTexel& texel : out) {
+void TurnedSurface::turn(std::span<SurfaceTexel> texels, glm::vec3 centre) const {
+    for (SurfaceTexel& texel : texels) {
         texel.position = glm::vec3(hand_from_world_ * glm::dvec4(texel.position, 1.0));
         texel.normal = glm::vec3(hand_from_world_ * glm::dvec4(texel.normal, 0.0));
         texel.distance = glm::length(texel.position - centre);
     }
+}
+
+void TurnedSurface::texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const {
+    surface_.precise_texels_in_ball(in_world(centre), radius, out);
+    turn(out, centre);
+}
+
+void TurnedSurface::visit_ball(glm::vec3 centre, float radius, const TexelVisitor& visit) const {
+    std::vector<SurfaceTexel> seen;
+    surface_.visit_ball_precisely(in_world(centre), radius, [&](std::span<const SurfaceTexel> part) {
+        seen.assign(part.begin(), part.end());
+        turn(seen, centre);
+        visit(seen);
+    });
 }
 
 }  // namespace relievo

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <span>
 #include <vector>
 
 #include "brushes/brush.h"
@@ -26,12 +27,16 @@ class TurnedSurface final : public Surface {
     SurfacePoint at(std::uint32_t face, float b1, float b2) const override;
     std::uint32_t face_count() const override { return surface_.face_count(); }
     void texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const override;
+    void visit_ball(glm::vec3 centre, float radius, const TexelVisitor& visit) const override;
     bool owned(int x, int y) const override { return surface_.owned(x, y); }
     const SeamTable& seams() const override { return surface_.seams(); }
     float amplitude() const override { return surface_.amplitude(); }
     float midlevel() const override { return surface_.midlevel(); }
 
   private:
+    glm::vec3 in_world(glm::vec3 place) const { return glm::vec3(world_from_hand_ * glm::dvec4(place, 1.0)); }
+    void turn(std::span<SurfaceTexel> texels, glm::vec3 centre) const;  // from the world to the hand
+
     const Surface& surface_;
     glm::dmat4 world_from_hand_, hand_from_world_;
 };

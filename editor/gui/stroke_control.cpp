@@ -11,8 +11,8 @@
 namespace relievo::gui {
 namespace {
 
-// Texels that draw would visit at every dab: about a second on two cores, in which the window stands still,
-// and 200 MB.
+// Texels that draw would visit at every dab: about a second on two cores, in which the window stands still.
+// Memory follows: at most 150 MB of a map of a million texels.
 constexpr double kMostWork = 8e6;
 
 // A stroke that starts beside the object is judged by the first face.

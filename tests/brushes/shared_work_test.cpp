@@ -34,11 +34,52 @@ TEST(SharedWork, WithinAPartIsAPlainLoop) {
     EXPECT_FALSE(shares_work);
 }
 
+TEST(SharedWork, OneAtATimeEachSharesItsOwnParts) {
+    // The parts of each wait for one another: alone on one thread, the second would never begin.
+    if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "needs two cores";
+    for (const std::size_t count : {1u, 5u}) {
+        std::atomic<int> at_once{0};
+        share_work(
+            count,
+            [&](std::size_t) {
+                EXPECT_EQ(++at_once, 1);
+                std::atomic<int> begun{0};
+                share_work(2, [&](std::size_t) {
+                    ++begun;
+                    while (begun < 2) std::this_thread::yield();
+                });
+                --at_once;
+            },
+            1);
+    }
+    EXPECT_FALSE(shares_work);
+}
+
+TEST(SharedWork, NoMoreAtATimeThanAsked) {
+    for (const std::size_t most : {1u, 2u, 3u}) {
+        std::atomic<std::size_t> at_once{0}, largest{0}, done{0};
+        share_work(
+            200,
+            [&](std::size_t) {
+                const std::size_t now = ++at_once;
+                for (std::size_t seen = largest; now > seen && !largest.compare_exchange_weak(seen, now);) {
+                }
+                std::this_thread::yield();
+                ++done;
+                --at_once;
+            },
+            most);
+        EXPECT_LE(largest, most);
+        EXPECT_EQ(done, 200u);
+    }
+}
+
 TEST(SharedWork, ThrowsWhatAPartThrew) {
     for (const std::size_t bad : {0u, 7u, 99u})
-        EXPECT_THROW(share_work(100, [&](std::size_t i) {
-                         if (i == bad) throw std::runtime_error("bad");
-                     }),
+        EXPECT_THROW(share_work(100,
+                                [&](std::size_t i) {
+                                    if (i == bad) throw std::runtime_error("bad");
+                                }),
                      std::runtime_error);
     EXPECT_FALSE(shares_work);
 }

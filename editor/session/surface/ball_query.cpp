@@ -1,5 +1,5 @@
-// MeshSurface::texels_in_ball. Faces near the ball come from the tree; each one's footprint is walked row by
-// row, and of a row only the columns whose point can be in the ball: the base point moves linearly along a
+// MeshSurface's texels in a ball. Faces near the ball come from the tree; each one's footprint is walked row
+// by row, and of a row only the columns whose point can be in the ball: the base point moves linearly along a
 // row, and displacement moves it sideways by at most the height times the sine of the normals' spread, so
 // that the columns solve one quadratic. Runs of columns are sorted before they are evaluated, so that the
 // texels come out in order.
@@ -67,18 +67,39 @@ class BallQuery {
     }
 
     void run(std::vector<SurfaceTexel>& out) {
+        find_runs();
+        out.reserve(most_texels());
+        for (std::size_t i = 0; i < runs_.size();) i = evaluate_row(i, out);
+    }
+
+    void run(const Surface::TexelVisitor& visit) {
+        constexpr std::size_t kPart = 65536;  // texels, and up to a row more
+        find_runs();
+        std::vector<SurfaceTexel> part;
+        part.reserve(std::min(most_texels(), kPart));
+        for (std::size_t i = 0; i < runs_.size();) {
+            i = evaluate_row(i, part);
+            if (part.size() < kPart && i < runs_.size()) continue;
+            visit(part);
+            part.clear();
+        }
+    }
+
+  private:
+    void find_runs() {
         std::vector<std::uint32_t> faces;
         s_.tree_.near(centre_, static_cast<float>((static_cast<double>(radius_) + reach_) * 1.00001), faces);
         std::sort(faces.begin(), faces.end());
         for (const std::uint32_t face : faces) add_face(face);
         std::sort(runs_.begin(), runs_.end());
-        std::size_t texels = 0;
-        for (const Run& r : runs_) texels += static_cast<std::size_t>(r.count);
-        out.reserve(texels);
-        for (std::size_t i = 0; i < runs_.size();) i = evaluate_row(i, out);
     }
 
-  private:
+    std::size_t most_texels() const {
+        std::size_t texels = 0;
+        for (const Run& r : runs_) texels += static_cast<std::size_t>(r.count);
+        return texels;
+    }
+
     bool out_of_slab(std::uint32_t face, const std::array<glm::dvec3, 3>& p) const {
         const MeshSurface::NormalCone& cone = s_.cones_[face];
         if (cone.cosine <= 0) return false;
@@ -326,6 +347,14 @@ void MeshSurface::precise_texels_in_ball(glm::vec3 centre, float radius,
                                          std::vector<SurfaceTexel>& out) const {
     out.clear();
     if (is_ball(centre, radius)) BallQuery(*this, centre, radius, true).run(out);
+}
+
+void MeshSurface::visit_ball(glm::vec3 centre, float radius, const TexelVisitor& visit) const {
+    if (is_ball(centre, radius)) BallQuery(*this, centre, radius, false).run(visit);
+}
+
+void MeshSurface::visit_ball_precisely(glm::vec3 centre, float radius, const TexelVisitor& visit) const {
+    if (is_ball(centre, radius)) BallQuery(*this, centre, radius, true).run(visit);
 }
 
 }  // namespace relievo

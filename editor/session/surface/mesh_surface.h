@@ -31,6 +31,8 @@ class MeshSurface final : public Surface {
     void texels_in_ball(glm::vec3 centre, float radius, std::vector<SurfaceTexel>& out) const override;
     void precise_texels_in_ball(glm::vec3 centre, float radius,
                                 std::vector<SurfaceTexel>& out) const override;
+    void visit_ball(glm::vec3 centre, float radius, const TexelVisitor& visit) const override;
+    void visit_ball_precisely(glm::vec3 centre, float radius, const TexelVisitor& visit) const override;
     const SeamTable& seams() const override { return seams_; }
     float amplitude() const override { return amplitude_; }
     float midlevel() const override { return midlevel_; }
