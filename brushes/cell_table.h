@@ -25,53 +25,46 @@ class CellTable {
     std::vector<std::uint32_t> place(std::uint32_t count, KeyOf key_of);
 
     // Of a cell without items: {0, 0}.
-    Range find(std::int64_t key) const {
-        const std::uint32_t cell = slots_[slot_of(key)];
-        return cell == kFree ? Range{0, 0} : cells_[cell].range;
-    }
+    Range find(std::int64_t key) const { return cells_[slot_of(key)].range; }
 
   private:
     static constexpr std::int64_t kSpan = 1 << 20;  // cells a side
-    static constexpr std::uint32_t kFree = ~0u;
 
     struct Cell {
         std::int64_t key;
-        Range range;
+        Range range;  // count 0: a free slot
     };
 
     // Where the cell stands, or would.
     std::size_t slot_of(std::int64_t key) const {
-        const std::size_t mask = slots_.size() - 1;
+        const std::size_t mask = cells_.size() - 1;
         std::size_t slot = (static_cast<std::uint64_t>(key) * 0x9e3779b97f4a7c15u >> 32) & mask;
-        while (slots_[slot] != kFree && cells_[slots_[slot]].key != key) slot = (slot + 1) & mask;
+        while (cells_[slot].range.count > 0 && cells_[slot].key != key) slot = (slot + 1) & mask;
         return slot;
     }
-    std::uint32_t add(std::int64_t key);
+    void grow();
 
-    std::vector<Cell> cells_;                                    // in the order of their first items
-    std::vector<std::uint32_t> slots_ = std::vector(64, kFree);  // into cells_; a power of two, half free
+    std::vector<Cell> cells_ = std::vector<Cell>(64);  // by hash; a power of two, half of them free
+    std::size_t held_ = 0;                             // cells with items
 };
 
 template <typename KeyOf>
 std::vector<std::uint32_t> CellTable::place(std::uint32_t count, KeyOf key_of) {
+    // Each item's number within its cell comes first, then the cells' own places.
     std::vector<std::uint32_t> places(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::int64_t key = key_of(i);
-        // Neighbours mostly share a cell.
-        const bool same = i > 0 && cells_[places[i - 1]].key == key;
-        places[i] = same ? places[i - 1] : add(key);
-        ++cells_[places[i]].range.count;
+        Cell& cell = cells_[slot_of(key)];
+        cell.key = key;
+        places[i] = cell.range.count++;
+        if (places[i] == 0 && 2 * ++held_ > cells_.size()) grow();
     }
     std::uint32_t first = 0;
     for (Cell& cell : cells_) {
         cell.range.first = first;
         first += cell.range.count;
-        cell.range.count = 0;
     }
-    for (std::uint32_t& place : places) {
-        Range& range = cells_[place].range;
-        place = range.first + range.count++;
-    }
+    for (std::uint32_t i = 0; i < count; ++i) places[i] += find(key_of(i)).first;
     return places;
 }
 

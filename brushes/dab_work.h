@@ -81,6 +81,10 @@ template <typename Each>
 void in_blocks(const Work& work, std::size_t count, const Each& each) {
     constexpr std::size_t kBlock = 2048;  // texels: of a tool that resamples, a few milliseconds
     constexpr std::size_t kAtATime = 64;  // blocks
+    if (count <= kBlock) {
+        for (std::size_t i = 0; i < count; ++i) each(work, i);
+        return;
+    }
     std::vector<std::vector<TexelChange>> changes(std::min((count + kBlock - 1) / kBlock, kAtATime));
     for (std::size_t begin = 0; begin < count; begin += kAtATime * kBlock) {
         const std::size_t end = std::min(count, begin + kAtATime * kBlock);

@@ -13,8 +13,7 @@ namespace {
 
 constexpr double kReach = 2.2;  // of a fit, in texel spacings
 constexpr std::size_t kFewTexels = 24;
-constexpr std::size_t kLevels = 3;  // grids, each with 4 times the reach: islands may differ in scale
-constexpr double kWidening = 4.0;
+constexpr double kWidening = 4.0;  // of the reach, from grid to grid: islands may differ in scale
 
 std::int64_t cell_of(double place, double cell) {
     return static_cast<std::int64_t>(std::clamp(std::floor(place / cell), -4e5, 4e5));
@@ -98,7 +97,7 @@ Relief::Relief(const Work& work, glm::vec3 centre, float reach) : centre_(centre
             spacing.add(t, sites_.back().base);
         }
     });
-    make_grids(kReach * spacing.value());
+    make_finest(kReach * spacing.value());
 }
 
 Relief::Relief(const Work& work, const SurfacePoint& about, float reach) : centre_(about.base) {
@@ -134,38 +133,46 @@ Relief::Relief(const Work& work, const SurfacePoint& about, float reach) : centr
             spacing.add(t, sites_.back().base);
         }
     });
-    if (!sites_.empty()) make_grids(kReach * spacing.value());
+    if (!sites_.empty()) make_finest(kReach * spacing.value());
 }
 
-void Relief::make_grids(double fit_reach) {
-    const auto count = static_cast<std::uint32_t>(sites_.size());
-    grids_.resize(kLevels);
-    std::vector<std::uint32_t> place_in_finest;
-    for (std::size_t level = 0; level < kLevels; ++level, fit_reach *= kWidening) {
-        Grid& grid = grids_[level];
+std::vector<std::uint32_t> Relief::place_sites(Grid& grid, const std::vector<std::uint32_t>& places) const {
+    return grid.cells.place(static_cast<std::uint32_t>(sites_.size()), [&](std::uint32_t i) {
+        const glm::dvec3 d = glm::dvec3(sites_[places.empty() ? i : places[i]].base) - glm::dvec3(centre_);
+        const double cell = 2 * grid.reach;
+        return CellTable::key(cell_of(d.x, cell), cell_of(d.y, cell), cell_of(d.z, cell));
+    });
+}
+
+void Relief::make_finest(double fit_reach) {
+    for (Grid& grid : grids_) {
         grid.reach = fit_reach;
-        std::vector<std::uint32_t> places = grid.cells.place(count, [&](std::uint32_t i) {
-            const glm::dvec3 d = glm::dvec3(sites_[i].base) - glm::dvec3(centre_);
-            return CellTable::key(cell_of(d.x, 2 * fit_reach), cell_of(d.y, 2 * fit_reach),
-                                  cell_of(d.z, 2 * fit_reach));
-        });
-        if (level == 0) {
-            place_in_finest = std::move(places);
-            continue;
-        }
-        grid.sites.resize(count);
-        for (std::uint32_t i = 0; i < count; ++i) grid.sites[places[i]] = place_in_finest[i];
+        fit_reach *= kWidening;
     }
+    places_ = place_sites(grids_[0], {});
     // In place: a second list would be as large again.
-    for (std::uint32_t i = 0; i < count; ++i)
-        while (place_in_finest[i] != i) {
-            const std::uint32_t to = place_in_finest[i];
-            std::swap(sites_[i], sites_[to]);
-            std::swap(place_in_finest[i], place_in_finest[to]);
+    std::vector<std::uint32_t> to = places_;
+    for (std::uint32_t i = 0; i < to.size(); ++i)
+        while (to[i] != i) {
+            std::swap(sites_[i], sites_[to[i]]);
+            const std::uint32_t next = to[i];
+            std::swap(to[i], to[next]);
         }
 }
 
-std::optional<Relief::Fit> Relief::fit(const Grid& grid, glm::dvec3 base, glm::dvec3 n) const {
+const Relief::Grid& Relief::made(std::size_t level) const {
+    Grid& grid = grids_[level];
+    if (level > 0)
+        std::call_once(grid.made, [&] {
+            grid.sites.resize(sites_.size());
+            const std::vector<std::uint32_t> places = place_sites(grid, places_);
+            for (std::size_t i = 0; i < places.size(); ++i) grid.sites[places[i]] = places_[i];
+        });
+    return grid;
+}
+
+std::optional<Relief::Fit> Relief::fit(std::size_t level, glm::dvec3 base, glm::dvec3 n) const {
+    const Grid& grid = made(level);
     constexpr std::size_t kFewest = 3;
     const glm::dvec3 aside = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(n, aside)), v = glm::cross(n, u);
@@ -173,13 +180,14 @@ std::optional<Relief::Fit> Relief::fit(const Grid& grid, glm::dvec3 base, glm::d
     const glm::dvec3 d = base - glm::dvec3(centre_);
     std::int64_t low[3];
     for (int k = 0; k < 3; ++k) low[k] = cell_of(d[k] - reach, cell);
+    const std::uint32_t* order = grid.sites.empty() ? nullptr : grid.sites.data();
     Sums sums;
     std::size_t used = 0;
     for (int corner = 0; corner < 8; ++corner) {
         const auto [first, held] = grid.cells.find(
             CellTable::key(low[0] + (corner & 1), low[1] + (corner >> 1 & 1), low[2] + (corner >> 2 & 1)));
         for (std::uint32_t i = first; i < first + held; ++i) {
-            const Site& site = sites_[grid.sites.empty() ? i : grid.sites[i]];
+            const Site& site = sites_[order ? order[i] : i];
             const glm::dvec3 offset = glm::dvec3(site.base) - base;
             if (!(glm::dot(glm::dvec3(site.normal), n) > 0.0)) continue;
             const double x = glm::dot(offset, u), y = glm::dot(offset, v), square = x * x + y * y;
@@ -189,7 +197,7 @@ std::optional<Relief::Fit> Relief::fit(const Grid& grid, glm::dvec3 base, glm::d
             ++used;
         }
     }
-    if (used < kFewest && &grid != &grids_.back()) return std::nullopt;
+    if (used < kFewest && level + 1 < kLevels) return std::nullopt;
     if (!(sums.w > 0)) return std::nullopt;
     const double x = sums.x / sums.w, y = sums.y / sums.w, value = sums.v / sums.w;
     constexpr double kRidge = 1e-10;  // settles sites along a line
@@ -202,8 +210,8 @@ std::optional<Relief::Fit> Relief::fit(const Grid& grid, glm::dvec3 base, glm::d
 }
 
 std::optional<Relief::Fit> Relief::at(glm::vec3 base, glm::vec3 normal) const {
-    for (const Grid& grid : grids_)
-        if (const auto found = fit(grid, glm::dvec3(base), glm::dvec3(normal))) return found;
+    for (std::size_t level = 0; level < kLevels && !sites_.empty(); ++level)
+        if (const auto found = fit(level, glm::dvec3(base), glm::dvec3(normal))) return found;
     return std::nullopt;
 }
 

@@ -8,8 +8,10 @@
 // that cliffs do not overshoot.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -50,19 +52,26 @@ class Relief {
     std::optional<Fit> at(glm::vec3 base, glm::vec3 normal) const;
 
   private:
+    static constexpr std::size_t kLevels = 3;
+
     // The sites in cells of one size; within a cell in the surface's order.
     struct Grid {
         double reach = 0;  // of a fit; a cell is twice as wide
         CellTable cells;
         std::vector<std::uint32_t> sites;  // cell by cell; empty: sites_ themselves lie so
+        std::once_flag made;
     };
 
-    void make_grids(double fit_reach);  // of sites_, as the surface gave them
-    std::optional<Fit> fit(const Grid& grid, glm::dvec3 base, glm::dvec3 normal) const;
+    void make_finest(double fit_reach);  // of sites_, as the surface gave them
+    std::vector<std::uint32_t> place_sites(Grid& grid, const std::vector<std::uint32_t>& places) const;
+    const Grid& made(std::size_t level) const;
+    std::optional<Fit> fit(std::size_t level, glm::dvec3 base, glm::dvec3 normal) const;
 
     glm::vec3 centre_;
-    std::vector<Site> sites_;  // in the finest grid's order
-    std::vector<Grid> grids_;  // the finest first: a place too far from its sites is asked of the next
+    std::vector<Site> sites_;            // in the finest grid's order
+    std::vector<std::uint32_t> places_;  // into sites_, in the surface's order
+    // The finest first: a place too far from its sites is asked of the next, made when it is first asked.
+    mutable std::array<Grid, kLevels> grids_;
 };
 
 }  // namespace relievo
