@@ -32,7 +32,7 @@ DabCost dab_cost(const Brush& brush, const SurfacePoint& centre, const Surface& 
 
 std::size_t bytes_of_copy(Tool tool, std::size_t texels) {
     constexpr std::size_t kAtLeast = std::size_t{4} << 20;  // parts of the ball, and blocks of changes
-    const std::size_t each = tool == Tool::grab        ? 440
+    const std::size_t each = tool == Tool::grab        ? 500
                              : holds(kResamples, tool) ? 130
                              : holds(kLists, tool)     ? 90
                                                        : 50;

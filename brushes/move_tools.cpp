@@ -81,11 +81,12 @@ struct Hold {
     };
     Hold(const Work& work, glm::vec3 at, glm::vec3 the_drag)
         : centre(at), drag(the_drag), relief(work, at, 2.2f * work.place.radius) {
-        work.surface.visit_ball(at, 1.6f * work.place.radius, [&](std::span<const SurfaceTexel> found) {
+        const float reach = 1.6f * work.place.radius;
+        texels.reserve(work.surface.count_in_ball(at, reach));
+        work.surface.visit_ball(at, reach, [&](std::span<const SurfaceTexel> found) {
             for (const SurfaceTexel& t : found)
                 if (!work.is_back(t)) texels.push_back({t, work.change(t)});
         });
-        texels.shrink_to_fit();
     }
 
     glm::vec3 centre, drag, last_drag{0};  // the hand's when it took hold

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "brushes/symmetry.h"
 #include "editor/session/surface/mesh_surface.h"
 #include "test_meshes.h"
 
@@ -202,6 +203,41 @@ TEST(Ball, far_and_small_scenes_keep_their_texels) {
         std::vector<SurfaceTexel> texels;
         surface.texels_in_ball(mesh.positions[0], 0.5f * scale, texels);
         EXPECT_GT(texels.size(), 20u);
+    }
+}
+
+TEST(Ball, parts_together_are_the_list_to_the_bit) {
+    const Mesh sphere = box_sphere(3, 3, 3), square = plane();
+    const HeightMap map = random_map(700, 500, 4);
+    const glm::dmat4 mirror{{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    for (const Mesh* mesh : {&sphere, &square}) {
+        const MeshSurface plain(*mesh, displacement(0.2), map);
+        const TurnedSurface turned(plain, mirror);
+        for (const Surface* surface :
+             {static_cast<const Surface*>(&plain), static_cast<const Surface*>(&turned)})
+            for (const float radius : {0.0f, 0.01f, 0.6f, 5.0f}) {
+                const glm::vec3 centre(0.5f, 0.4f, 0.1f);
+                std::vector<SurfaceTexel> list, visited;
+                surface->texels_in_ball(centre, radius, list);
+                std::size_t largest = 0;
+                surface->visit_ball(centre, radius, [&](std::span<const SurfaceTexel> part) {
+                    visited.insert(visited.end(), part.begin(), part.end());
+                    largest = std::max(largest, part.size());
+                });
+                EXPECT_LE(largest, 100000u);
+                ASSERT_EQ(visited.size(), list.size());
+                EXPECT_EQ(surface->count_in_ball(centre, radius), list.size());
+                for (std::size_t i = 0; i < list.size(); ++i) {
+                    ASSERT_EQ(visited[i].x, list[i].x);
+                    ASSERT_EQ(visited[i].y, list[i].y);
+                    ASSERT_EQ(visited[i].distance, list[i].distance);
+                    ASSERT_EQ(visited[i].position, list[i].position);
+                    ASSERT_EQ(visited[i].normal, list[i].normal);
+                }
+                if (radius == 5.0f && mesh == &square) {
+                    EXPECT_LT(largest, list.size());  // several parts
+                }
+            }
     }
 }
 
