@@ -129,6 +129,28 @@ Mesh cut_cylinder(int cells) {
     return builder.build();
 }
 
+Mesh globe(int around, int along) {
+    MeshBuilder builder;
+    const auto corner = [&](float column, int row) {
+        const float turn = 6.2831853f *
+                           (row == 0 || row == along ? 0 : std::fmod(column, static_cast<float>(around))) /
+                           static_cast<float>(around),
+                    rise = 3.14159265f * static_cast<float>(row) / static_cast<float>(along);
+        const float out = row == 0 || row == along ? 0 : std::sin(rise);
+        return MeshBuilder::Corner{{-out * std::sin(turn), -std::cos(rise), -out * std::cos(turn)},
+                                   {column / static_cast<float>(around),
+                                    0.25f + 0.5f * static_cast<float>(row) / static_cast<float>(along)}};
+    };
+    for (int i = 0; i < around; ++i) {
+        const auto c = static_cast<float>(i);
+        builder.triangle(corner(c + 0.5f, 0), corner(c + 1, 1), corner(c, 1));
+        builder.triangle(corner(c, along - 1), corner(c + 1, along - 1), corner(c + 0.5f, along));
+        for (int row = 1; row + 1 < along; ++row)
+            builder.quad(corner(c, row), corner(c + 1, row), corner(c + 1, row + 1), corner(c, row + 1));
+    }
+    return builder.build();
+}
+
 std::mt19937 generator(unsigned seed) {
     return std::mt19937(seed);
 }
@@ -140,7 +162,8 @@ HeightMap random_map(int width, int height, unsigned seed) {
     return map;
 }
 
-void set_owned(HeightMap& map, const MeshSurface& surface, const std::function<double(const glm::dvec3&)>& counts) {
+void set_owned(HeightMap& map, const MeshSurface& surface,
+               const std::function<double(const glm::dvec3&)>& counts) {
     std::vector<SurfaceTexel> texels;
     surface.precise_texels_in_ball(glm::vec3(0), 10, texels);
     for (const SurfaceTexel& t : texels)

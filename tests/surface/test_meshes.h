@@ -47,11 +47,16 @@ Mesh cut_strip(double turn, double scale);
 // An open cylinder about z, unrolled into one island with one seam; `cells` around.
 Mesh cut_cylinder(int cells);
 
+// The unit sphere about y, unrolled: the map repeats around it, and every triangle at a pole is a point of
+// its own. As many texels around as along.
+Mesh globe(int around, int along);
+
 std::mt19937 generator(unsigned seed);
 HeightMap random_map(int width, int height, unsigned seed);
 
 // Counts by a function of space at every owned texel, the base mesh's own where the displacement is 0.
-void set_owned(HeightMap& map, const MeshSurface& surface, const std::function<double(const glm::dvec3&)>& counts);
+void set_owned(HeightMap& map, const MeshSurface& surface,
+               const std::function<double(const glm::dvec3&)>& counts);
 
 // The same map with every gutter a plain copy.
 HeightMap with_copies_alone(HeightMap map, const SeamTable& table);

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <map>
 #include <optional>
+#include <utility>
 
+#include "editor/session/surface/height_fit.h"
+#include "editor/session/surface/pole_fans.h"
 #include "editor/session/surface/seam_equations.h"
 #include "editor/session/surface/texel_classes.h"
 #include "editor/session/surface/texel_triangle.h"
@@ -19,8 +21,7 @@ namespace {
 constexpr double kReach = 2;  // texels from the seam
 // Texels of a side on which one of the other's would be longer are too coarse to say anything.
 constexpr double kMostStretch = 8;
-constexpr double kLeastSpread =
-    1e-3;  // of texels about a place, squared and multiplied: below, they lie on a line
+constexpr std::int64_t kSites = 3;  // texels either way of a place that tell its height
 
 // A texel outside an island and the seam that it is nearest to.
 struct Outside {
@@ -62,7 +63,11 @@ std::optional<glm::dmat2> lengths_of(const Mesh& mesh, const MapGrid& grid, cons
 class Extender {
   public:
     Extender(const Mesh& mesh, const MapGrid& grid, const UvBorders& borders, const TexelClasses& classes)
-        : mesh_(mesh), grid_(grid), seams_(borders.seams), classes_(classes) {}
+        : mesh_(mesh),
+          grid_(grid),
+          seams_(borders.seams),
+          classes_(classes),
+          poles_(mesh, grid, borders, classes) {}
 
     std::vector<SeamExtension> extended() {
         for (std::size_t i = 0; i < seams_.size(); ++i) {
@@ -107,6 +112,8 @@ class Extender {
     SeamExtension extension_of(const Outside& outside) const {
         const UvSeam& seam = seams_[outside.seam];
         const UvSide &here = outside.beyond_b ? seam.b : seam.a, &there = outside.beyond_b ? seam.a : seam.b;
+        if (auto about_pole = poles_.sources(here.face, outside.at); !about_pole.empty())
+            return {0, std::move(about_pole)};
         const auto lengths_here = lengths_of(mesh_, grid_, seam, here),
                    lengths_there = lengths_of(mesh_, grid_, seam, there);
         if (!lengths_here || !lengths_there) return {};
@@ -114,42 +121,27 @@ class Extender {
         way.y = -way.y;  // what is outside here is inside there
         const glm::dvec2 step = glm::inverse(*lengths_there) * way;
         if (!(glm::length(step) < kMostStretch * (glm::length(outside.at - here.from) + 1))) return {};
-        return plane_at(there.from + step);
+        return height_at(there.from + step);
     }
 
-    // The owned texels about a place, weighted so that they give the height of their plane there; of their
-    // mean where they lie on a line.
-    SeamExtension plane_at(glm::dvec2 p) const {
-        struct Near {
-            std::uint32_t texel;
-            glm::dvec3 at;  // 1, and the way from the place
-            double weight;
-        };
-        std::vector<Near> around;
+    SeamExtension height_at(glm::dvec2 p) const {
+        std::vector<FitSite> around;
         const auto x0 = static_cast<std::int64_t>(std::floor(p.x)),
                    y0 = static_cast<std::int64_t>(std::floor(p.y));
-        for (std::int64_t y = y0 - 1; y <= y0 + 2; ++y)
-            for (std::int64_t x = x0 - 1; x <= x0 + 2; ++x) {
+        for (std::int64_t y = y0 - kSites + 1; y <= y0 + kSites; ++y)
+            for (std::int64_t x = x0 - kSites + 1; x <= x0 + kSites; ++x) {
                 const std::uint32_t texel = grid_.index(x, y);
                 if (!classes_.owned(texel)) continue;
-                const glm::dvec2 d = glm::dvec2(static_cast<double>(x), static_cast<double>(y)) - p;
-                around.push_back({texel, {1, d.x, d.y}, 1 / (glm::dot(d, d) + 0.25)});
+                around.push_back({texel, glm::dvec2(static_cast<double>(x), static_cast<double>(y)) - p});
             }
-        glm::dmat3 moments(0);
-        double sum = 0;
-        for (const Near& n : around) moments += n.weight * glm::outerProduct(n.at, n.at), sum += n.weight;
-        SeamExtension extension{};
-        const bool plane = sum > 0 && glm::determinant(moments / sum) > kLeastSpread;
-        const glm::dvec3 first = plane ? glm::inverse(moments)[0] : glm::dvec3(sum > 0 ? 1 / sum : 0, 0, 0);
-        for (const Near& n : around)
-            extension.sources.push_back({n.texel, static_cast<float>(n.weight * glm::dot(first, n.at))});
-        return extension;
+        return {0, fitted_height(around)};
     }
 
     const Mesh& mesh_;
     const MapGrid& grid_;
     const std::vector<UvSeam>& seams_;
     const TexelClasses& classes_;
+    const PoleFans poles_;
     std::map<std::uint32_t, Outside> found_;
 };
 

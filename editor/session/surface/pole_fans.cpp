@@ -1,0 +1,146 @@
+// See pole_fans.h.
+#include "editor/session/surface/pole_fans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "editor/session/surface/height_fit.h"
+#include "editor/session/surface/texel_classes.h"
+#include "editor/session/surface/texel_triangle.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::size_t kFewestSeams = 5;
+constexpr double kReach = 3;    // texels from the vertex that are extended so
+constexpr double kSites = 7;    // texels from the vertex that tell what lies there
+constexpr double kNearest = 3;  // spacings from a place beyond which texels do not count
+constexpr double kCircle = 2 * 3.14159265358979323846;
+
+double cross(glm::dvec2 a, glm::dvec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+}  // namespace
+
+PoleFans::PoleFans(const Mesh& mesh, const MapGrid& grid, const UvBorders& borders,
+                   const TexelClasses& classes)
+    : mesh_(mesh), grid_(grid), classes_(classes) {
+    std::map<std::uint32_t, std::size_t> seams_at;
+    for (const UvSeam& seam : borders.seams)
+        if (!seam.aligned)
+            for (const std::uint32_t vertex : seam.position) ++seams_at[vertex];
+    std::erase_if(seams_at, [](const auto& vertex) { return vertex.second < kFewestSeams; });
+    if (seams_at.empty()) return;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> faces_at;
+    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face)
+        for (const std::uint32_t vertex : mesh.faces[face].position)
+            if (seams_at.count(vertex)) faces_at[vertex].push_back(face);
+    for (const auto& [vertex, faces] : faces_at) {
+        std::optional<Fan> fan = fan_about(vertex, faces);
+        if (!fan) continue;
+        find_sites(*fan);
+        for (std::size_t i = 0; i < fan->sectors.size(); ++i)
+            of_face_.emplace(fan->sectors[i].face, std::pair(fans_.size(), i));
+        fans_.push_back(std::move(*fan));
+    }
+}
+
+glm::dvec2 PoleFans::Sector::barycentric(glm::dvec2 step) const {
+    return glm::dvec2(cross(step, previous), cross(next, step)) / cross(next, previous);
+}
+
+glm::dvec2 PoleFans::Fan::place(const Sector& sector, glm::dvec2 step) const {
+    const glm::dvec2 b = sector.barycentric(step), flat = b.x * sector.along + b.y * sector.out;
+    const double angle = sector.start + std::atan2(flat.y, flat.x) * turn;
+    return glm::length(flat) * glm::dvec2(std::cos(angle), std::sin(angle));
+}
+
+// The faces in their order around the vertex; none where they do not close, or have no area.
+std::optional<PoleFans::Fan> PoleFans::fan_about(std::uint32_t vertex,
+                                                 const std::vector<std::uint32_t>& faces) const {
+    Fan fan;
+    double angle = 0;
+    std::uint32_t face = faces.front(), last = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const auto& corners = mesh_.faces[face].position;
+        const auto c = static_cast<std::size_t>(std::find(std::begin(corners), std::end(corners), vertex) -
+                                                std::begin(corners));
+        const TexelTriangle triangle = texel_triangle(mesh_, face, grid_);
+        if (!can_rasterise(triangle, grid_)) return {};
+        const glm::dvec3 origin(mesh_.positions[vertex]);
+        const glm::dvec3 next = glm::dvec3(mesh_.positions[corners[(c + 1) % 3]]) - origin,
+                         previous = glm::dvec3(mesh_.positions[corners[(c + 2) % 3]]) - origin;
+        const double length = glm::length(next), along = glm::dot(previous, next) / length,
+                     out = glm::length(glm::cross(next, previous)) / length;
+        if (!(length > 0) || !(out > 0) || !std::isfinite(out)) return {};
+        Sector sector{face,
+                      triangle.p[c],
+                      triangle.p[(c + 1) % 3] - triangle.p[c],
+                      triangle.p[(c + 2) % 3] - triangle.p[c],
+                      {length, 0},
+                      {along, out},
+                      angle};
+        for (const glm::dvec2 step : {glm::dvec2(1, 0), glm::dvec2(0, 1)}) {
+            const glm::dvec2 b = sector.barycentric(step);
+            fan.spacing = std::max(fan.spacing, glm::length(b.x * sector.along + b.y * sector.out));
+        }
+        angle += std::atan2(out, along);
+        fan.sectors.push_back(sector);
+        last = corners[(c + 2) % 3];
+        const auto follows = [&](std::uint32_t f) {
+            const auto& p = mesh_.faces[f].position;
+            for (std::size_t k = 0; k < 3; ++k)
+                if (p[k] == vertex && p[(k + 1) % 3] == last) return true;
+            return false;
+        };
+        const auto found = std::find_if(faces.begin(), faces.end(), follows);
+        if (found == faces.end()) return {};
+        face = *found;
+        if (face == faces.front() && i + 1 < faces.size()) return {};
+    }
+    if (face != faces.front()) return {};
+    fan.turn = kCircle / angle;
+    for (Sector& sector : fan.sectors) sector.start *= fan.turn;
+    return fan;
+}
+
+void PoleFans::find_sites(Fan& fan) const {
+    for (const Sector& sector : fan.sectors) {
+        const auto x0 = static_cast<std::int64_t>(std::floor(sector.corner.x - kSites)),
+                   y0 = static_cast<std::int64_t>(std::floor(sector.corner.y - kSites));
+        constexpr auto kSide = static_cast<std::int64_t>(2 * kSites) + 2;
+        for (std::int64_t y = y0; y < y0 + kSide; ++y)
+            for (std::int64_t x = x0; x < x0 + kSide; ++x) {
+                const glm::dvec2 step =
+                    glm::dvec2(static_cast<double>(x), static_cast<double>(y)) - sector.corner;
+                const glm::dvec2 b = sector.barycentric(step);
+                const std::uint32_t texel = grid_.index(x, y);
+                if (b.x < 0 || b.y < 0 || b.x + b.y > 1 || !classes_.owned(texel)) continue;
+                fan.sites.push_back({texel, fan.place(sector, step)});
+            }
+    }
+}
+
+std::vector<SeamExtension::Source> PoleFans::sources(std::uint32_t face, glm::dvec2 at) const {
+    const auto [first, last] = of_face_.equal_range(face);
+    for (auto it = first; it != last; ++it) {
+        const Fan& fan = fans_[it->second.first];
+        const Sector& sector = fan.sectors[it->second.second];
+        if (glm::distance(at, sector.corner) < kReach)
+            return height_at(fan, fan.place(sector, at - sector.corner));
+    }
+    return {};
+}
+
+std::vector<SeamExtension::Source> PoleFans::height_at(const Fan& fan, glm::dvec2 place) {
+    std::vector<FitSite> around;
+    for (const Site& site : fan.sites) {
+        const glm::dvec2 way = (site.at - place) / fan.spacing;
+        if (glm::length(way) < kNearest) around.push_back({site.texel, way});
+    }
+    return fitted_height(around);
+}
+
+}  // namespace relievo
