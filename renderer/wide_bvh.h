@@ -1,4 +1,4 @@
-// The tree of boxes that shaders/trace/bvh.glsl walks: four children a node, their boxes in bytes
+// The tree of boxes that shaders/trace/bundle.glsl and bvh.glsl walk: four children a node, their boxes in bytes
 // (gpu::BvhNode), after Ylitie, Karras and Laine 2017. Boxes that change are refitted: the tree's shape
 // stays, as in a driver's own update.
 #pragma once
