@@ -41,8 +41,8 @@ const Method kDbvh{
     "heights. "
     "B-splines, and leaves above level 0, may reach beyond a base triangle's box, which cuts them; sizes "
     "that 2^level "
-    "does not divide tear where the map repeats. After 122880 boxes of a triangle a ray ends at the next one "
-    "that it meets.",
+    "does not divide tear where the map repeats. A ray that met nothing in 122880 boxes of a wide triangle "
+    "ends at the next box.",
     GeometryKind::surface_bounds,
     true,
     kParameters,

@@ -13,8 +13,8 @@
 //  - any map size and wrap: bounds come from nodes that overlap (map_bounds), so that squares need not fit the map's own;
 //  - where Newton cannot tell whether a leaf is met once, the walk goes on below it, down to kSubLevels further;
 //  - without a level of detail of its own, a square that looks smaller than a pixel is met as its box (by_pixel);
-//  - a ray that has been held against kFineBoxes boxes of a triangle ends at the next one that it meets, of a leaf's size
-//    first, then of ever larger ones: it must not pass for want of boxes. A box that holds its origin is divided all the same.
+//  - a ray that has been held against kFineBoxes boxes of a triangle in vain ends at the next one that it meets, of a leaf's
+//    size first, then of ever larger ones: it must not pass for want of boxes. A box that holds its origin is divided.
 // The holes that the thesis shows at high quality had two causes: boxes without a margin, which rays pass between by
 // rounding, and leaves that differ between neighbours along base edges (leaf.glsl).
 //
@@ -22,9 +22,10 @@
 #include "box.glsl"
 #include "leaf.glsl"
 
-const int kMaxBoxes = 131072;      // a triangle: the walk ends before, by
-const int kFineBoxes = 122880;     // after these, boxes are the surface: leaves' own first,
+const int kMaxBoxes = 131072;      // a triangle: beyond, the best of what was found counts;
+const int kFineBoxes = 122880;     // if nothing was by then, boxes are the surface: leaves' own first,
 const int kCoarserBoxes = 256;     // and after each so many more, those of twice the width
+const int kWideTree = 12;          // levels above the leaves: a lower tree runs out of boxes by folds alone, not by its width
 const int kMostDepth = 28;        // of the tree
 const int kSubLevels = 8;         // below the leaf
 const float kLeafTurn = 0.15f;    // radians that normals may turn over a leaf that is solved
@@ -215,7 +216,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     Walk w = start_walk(g.thin ? vec2(0.0f) : primitive_base(p), g, r.d, leaf_level);
     int lowest = max(leaf_level - kSubLevels, w.top - kMostDepth);
     float least = kLeastBox * most + 2.0f * g.margin;
-    bool found = false, down = true;
+    bool found = false, down = true, wide = w.top - leaf_level > kWideTree;
     for (int i = 0; i < kMaxBoxes; ++i) {
         if (down) go_down(w);
         else if (!go_next(w)) break;
@@ -240,7 +241,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         vec3 extent = box.high - box.low;
         float largest = max(max(extent.x, extent.y), extent.z);
         // Below a pixel, by choice, or for want of boxes, the box is the surface.
-        bool whole = size <= met_whole(i, stride) && r.t0 + span.x >= t_min;
+        bool whole = wide && !found && size <= met_whole(i, stride) && r.t0 + span.x >= t_min;
         if ((w.level <= leaf_level && leaf == kLeafBox) || largest <= pixel * (r.t0 + span.x) || whole) {
             take_box(p, g, middle, r, span.x, found, hit);
             continue;

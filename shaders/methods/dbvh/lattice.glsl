@@ -142,7 +142,7 @@ FUNC bool intersect_lattice(Primitive p, ObjectData ob, ProceduralData data, Lat
         if (!(span.x <= span.y && r.t0 + span.y >= r.t_min && r.t0 + span.x <= hit.t)) continue;
         bool last = w.in_square && abs(w.part.size) == 1;
         float size = w.in_square ? float(abs(w.part.size)) : power_of_two(w.squares.level);
-        bool whole = size <= met_whole(i, 1.0f) && r.t0 + span.x >= r.t_min, tiny = false;
+        bool whole = !found && size <= met_whole(i, 1.0f) && r.t0 + span.x >= r.t_min, tiny = false;
         if (pixel > 0.0f) {
             float wide = 2.0f * dot(half_size, lengths) + prism.turn * max(abs(heights.x), abs(heights.y));
             tiny = max(wide, prism.high.w - prism.low.w) <= pixel * (r.t0 + span.x);

@@ -15,7 +15,7 @@
 // renderer/stability/promises.cpp.
 //
 // Parameters: x: correct_normals (0 or 1).
-const int kMaxStretches = 32768;     // a triangle: beyond, the ray counts as a miss
+const int kMaxStretches = 131072;    // a triangle: beyond, the ray counts as a miss
 const int kMaxCells = 6;             // a leaf is at most 2 texels long
 const int kMaxTries = 8;             // for a chord's length
 const int kStartLevel = 2;
