@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -26,40 +27,59 @@ PaintStroke::PaintStroke(const Brush& brush, const Alpha* alpha, ColourMap& map,
         planes_[k] = std::make_unique<StrokeTiles>(map.plane(k), map.step());
 }
 
-// Sorted by (y, x), each texel once.
-std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> places, float pressure,
-                                                      const HeightMap* mask) const {
-    std::vector<std::vector<Weight>> of_places(places.size());
-    share_work(places.size(), [&](std::size_t i) {
-        const Place& place = places[i];
-        std::vector<SurfaceTexel> texels;
-        place.surface.texels_in_ball(place.centre.position, place.radius, texels);
-        std::optional<PressedImage> image;
-        if (alpha_)
-            image.emplace(*alpha_, place.centre, place.radius, place.right, brush_.rotation, texels.size());
-        for (const SurfaceTexel& t : texels) {
-            const float falloff = falloff_weight(brush_, std::min(t.distance / place.radius, 1.0f));
-            const float free = mask ? 1.0f - static_cast<float>(mask->at(t.x, t.y)) / kTop : 1.0f;
-            const float shown = image ? std::clamp(image->at(t), 0.0f, 1.0f) : 1.0f;
-            const float weight = brush_.strength * pressure * falloff * free * shown;
-            if (weight > 0.0f) of_places[i].push_back({t.x, t.y, weight});
-        }
-    });
-    if (places.size() == 1) return std::move(of_places.front());
-    std::vector<Weight> all;
-    for (const std::vector<Weight>& own : of_places) all.insert(all.end(), own.begin(), own.end());
-    std::sort(all.begin(), all.end(), [](const Weight& a, const Weight& b) {
+// Sorts by (y, x), and leaves each texel its largest weight.
+void PaintStroke::keep_largest(std::vector<Weight>& weights) {
+    std::sort(weights.begin(), weights.end(), [](const Weight& a, const Weight& b) {
         return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : a.of_way > b.of_way;
     });
     const auto same_texel = [](const Weight& a, const Weight& b) { return a.x == b.x && a.y == b.y; };
-    all.erase(std::unique(all.begin(), all.end(), same_texel), all.end());  // keeps the first, the largest
+    weights.erase(std::unique(weights.begin(), weights.end(), same_texel), weights.end());
+}
+
+// Sorted by (y, x), each texel once.
+std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> places, float pressure,
+                                                      const HeightMap* mask, std::size_t at_once) const {
+    constexpr std::size_t kFew = std::size_t{1} << 20;  // that may wait for the end
+    std::mutex mutex;
+    std::vector<Weight> all;
+    std::size_t most = kFew;
+    const auto of_place = [&](std::size_t i) {
+        const Place& place = places[i];
+        const glm::vec3 centre = place.centre.position;
+        std::optional<PressedImage> image;
+        if (alpha_)
+            image.emplace(*alpha_, place.centre, place.radius, place.right, brush_.rotation,
+                          place.surface.count_in_ball(centre, place.radius));
+        std::vector<Weight> own;
+        place.surface.visit_ball(centre, place.radius, [&](std::span<const SurfaceTexel> texels) {
+            for (const SurfaceTexel& t : texels) {
+                const float falloff = falloff_weight(brush_, std::min(t.distance / place.radius, 1.0f));
+                const float free = mask ? 1.0f - static_cast<float>(mask->at(t.x, t.y)) / kTop : 1.0f;
+                const float shown = image ? std::clamp(image->at(t), 0.0f, 1.0f) : 1.0f;
+                const float weight = brush_.strength * pressure * falloff * free * shown;
+                if (weight > 0.0f) own.push_back({t.x, t.y, weight});
+            }
+        });
+        if (places.size() == 1) {
+            all = std::move(own);
+            return;
+        }
+        const std::lock_guard lock(mutex);
+        all.insert(all.end(), own.begin(), own.end());
+        if (all.size() < most) return;
+        keep_largest(all);
+        most = std::max(kFew, 2 * all.size());
+    };
+    share_work(places.size(), of_place, at_once);
+    if (places.size() > 1) keep_largest(all);
     return all;
 }
 
-void PaintStroke::smooth_planes(std::span<const Place> places, float pressure, const HeightMap* mask) {
+void PaintStroke::smooth_planes(std::span<const Place> places, float pressure, const HeightMap* mask,
+                                std::size_t at_once) {
     for (auto& plane : planes_) {
         CopyChanges wanted(places.size(), false, *plane);
-        share_work(places.size(), [&](std::size_t i) {
+        const auto work_out = [&](std::size_t i) {
             const Place& place = places[i];
             std::shared_ptr<Hold> nothing_held;
             const DabPlace at{place.centre, pressure, place.radius, glm::vec3(0),
@@ -67,15 +87,17 @@ void PaintStroke::smooth_planes(std::span<const Place> places, float pressure, c
             std::vector<TexelChange> changes;
             smooth({brush_, at, place.surface, seams_, *plane, mask, 1.0, changes});
             wanted.add(i, std::move(changes));
-        });
+        };
+        share_work(places.size(), work_out, at_once);
         wanted.apply();
         seams_.follow(*plane, Across::values);
     }
 }
 
-void PaintStroke::dab(std::span<const Place> places, float pressure, const HeightMap* mask) {
-    if (brush_.tool == Tool::smooth) return smooth_planes(places, pressure, mask);
-    const std::vector<Weight> weights = this->weights(places, pressure, mask);
+void PaintStroke::dab(std::span<const Place> places, float pressure, const HeightMap* mask,
+                      std::size_t at_once) {
+    if (brush_.tool == Tool::smooth) return smooth_planes(places, pressure, mask, at_once);
+    const std::vector<Weight> weights = this->weights(places, pressure, mask, at_once);
     for (std::size_t k = 0; k < planes_.size(); ++k) {
         StrokeTiles& plane = *planes_[k];
         for (const Weight& w : weights) {

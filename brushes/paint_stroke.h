@@ -36,8 +36,9 @@ class PaintStroke {
         float radius;            // of the dab, world units
         glm::vec3 right;         // of stamp's image (pressed_image.h)
     };
-    // One dab with its copies. `pressure` in [0, 1]; `mask`: 65535 protects a texel, null: none.
-    void dab(std::span<const Place> places, float pressure, const HeightMap* mask);
+    // One dab with its copies, `at_once` of them in work at a time (dab_cost.h). `pressure` in [0, 1]; `mask`:
+    // 65535 protects a texel, null: none.
+    void dab(std::span<const Place> places, float pressure, const HeightMap* mask, std::size_t at_once);
     // At the stroke's end: slanted seams.
     void settle(const HeightMap* mask);
 
@@ -53,9 +54,12 @@ class PaintStroke {
         std::int32_t x, y;
         float of_way;  // [0, 1]
     };
-    std::vector<Weight> weights(std::span<const Place> places, float pressure, const HeightMap* mask) const;
+    static void keep_largest(std::vector<Weight>& weights);
+    std::vector<Weight> weights(std::span<const Place> places, float pressure, const HeightMap* mask,
+                                std::size_t at_once) const;
 
-    void smooth_planes(std::span<const Place> places, float pressure, const HeightMap* mask);
+    void smooth_planes(std::span<const Place> places, float pressure, const HeightMap* mask,
+                       std::size_t at_once);
 
     const Brush& brush_;
     const Alpha* alpha_;

@@ -190,13 +190,18 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
         branches[i].last_in_world = place;
         places.push_back({place, motion});
     }
+    if (!at_once) {
+        const bool copied = branches.size() > 1;
+        at_once =
+            copies_at_once(brush.tool, copied ? surface.count_in_ball(centres[0].position, brush.radius) : 0);
+    }
     const glm::vec3 hand =
         glm::vec3(dab.drag[0], dab.drag[1], dab.drag[2]) / static_cast<float>(Dab::kDragOne);
     if (paint) {
         std::vector<PaintStroke::Place> hands;
         for (std::size_t i = 0; i < branches.size(); ++i)
             hands.push_back({surface_of(branches[i]), centres[i], radius, hand});
-        paint->dab(hands, pressure, protection());
+        paint->dab(hands, pressure, protection(), *at_once);
         note_painted(paint->take_dirty());
     }
     if (!sculpts(brush)) return;
@@ -205,11 +210,6 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
         add_up ? copy_shares(places, double{radius}) : std::vector<float>(branches.size(), 1.0f);
     // Each reads the stroke as the last dab left it.
     CopyChanges wanted(branches.size(), add_up, *stroke);
-    if (!at_once) {
-        const bool copied = branches.size() > 1;
-        at_once =
-            copies_at_once(brush.tool, copied ? surface.count_in_ball(centres[0].position, brush.radius) : 0);
-    }
     const auto work_out = [&](std::size_t i) {
         Branch& branch = branches[i];
         glm::vec3 motion = branch.last_place ? centres[i].position - *branch.last_place : glm::vec3(0);

@@ -119,6 +119,24 @@ TEST(DabMemory, many_copies_hold_no_more_than_the_bound) {
     }
 }
 
+TEST(DabMemory, many_copies_that_paint_hold_little_more) {
+    ColourMap colours(1024, 1024, 8);
+    for (const Tool tool : {Tool::draw, Tool::smooth}) {
+        Sheet sheet;
+        sheet.sculptor.set_colours(colours);
+        Brush brush;
+        brush.tool = tool;
+        brush.paint = Paint::colour;
+        brush.radius = tool == Tool::draw ? 2.0f : 0.3f;
+        brush.mirror_x = brush.mirror_y = true;
+        brush.radial = tool == Tool::draw ? 6 : 1;
+        constexpr std::size_t kSums = 16 * 1024 * 1024, kWeights = 72 * 1024 * 1024;
+        EXPECT_LE(sheet.first_dab(brush), kDabBytes + CopyChanges::kWaiting + kSums + kWeights + 3 * kTiles)
+            << static_cast<int>(tool);
+        sheet.sculptor.cancel();
+    }
+}
+
 TEST(DabMemory, what_grab_holds_goes_with_the_stroke) {
     for (const bool cancelled : {false, true}) {
         Sheet sheet;
