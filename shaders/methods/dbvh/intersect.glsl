@@ -164,7 +164,7 @@ FUNC float leaf_bend(float turn, vec2 heights, bool plane) {
 
 // Meets the leaf's pieces over the rectangle. False where there may be a hit that was not found.
 FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, LeafCells cells, float leaf, float stride, vec2 middle,
-                    vec2 half_size, float bend, bool last, INOUT(bool) found, INOUT(SurfaceHit) hit) {
+                    vec2 half_size, float turn, vec2 heights, bool last, INOUT(bool) found, INOUT(SurfaceHit) hit) {
     bool decided = true, more = true;
     while (more) {
         vec2 square = cells.cell, f0 = (cells.low - square) / stride, f1 = (cells.high - square) / stride;
@@ -179,6 +179,10 @@ FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, LeafCells c
             of_half = 0.5f * stride * (high - low);
         }
         Piece e = make_piece(p, leaf, square, stride, i);
+        // Over a rectangle that lies over several cells, a cell's own slope goes on beyond it, further than the heights there.
+        vec2 reached = heights;
+        if (g.thin) reached = displacement_range(p, ob, piece_bounds(e, f0, f1), false);
+        float bend = leaf_bend(turn, reached, leaf == kLeafTriangles);
         LeafRoot root = solve_piece(g, ob, e, of_middle, of_half, r.o, r.d, r.rounding, bend, last);
         float t = r.t0 + root.t;
         note(kNoteCell, t, square, 0.0f, t);
@@ -253,8 +257,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         bool last = w.level <= lowest || largest <= least;
         down = !last;
         if (last || box.turn <= kLeafTurn) {
-            float bend = leaf_bend(box.turn, heights, leaf == kLeafTriangles);
-            down = !meet_leaf(p, ob, g, r, cells, leaf, stride, middle, half_size, bend, last, found, hit) && !last;
+            down = !meet_leaf(p, ob, g, r, cells, leaf, stride, middle, half_size, box.turn, heights, last, found, hit) && !last;
         }
     }
     return found;
