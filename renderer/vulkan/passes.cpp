@@ -12,8 +12,9 @@ constexpr std::array<std::string_view, kPassCount> kComputeFiles{"beauty.comp", 
                                                               "pick.comp"};
 constexpr std::array<std::string_view, kPassCount> kBvhFiles{"beauty_bvh.comp", "aov_bvh.comp", "pick_bvh.comp",
                                                              "aov_bvh.comp", "pick_bvh.comp"};
+// What a ray costs and does is asked of it alone: in a bundle the order of boxes depends on the rays beside it.
 constexpr std::array<std::string_view, kPassCount> kBundleFiles{"beauty_bundle.comp", "aov_bundle.comp", "pick_bundle.comp",
-                                                                "aov_bundle.comp", "pick_bundle.comp"};
+                                                                "aov_bvh.comp", "pick_bvh.comp"};
 constexpr std::array<std::string_view, kPassCount> kRayFiles{"beauty.rgen", "aov.rgen", "pick.rgen", "aov.rgen", "pick.rgen"};
 
 }  // namespace
