@@ -49,7 +49,6 @@ class Seams {
     void copy_all(HeightMap& map) const;
 
   private:
-    // What lies in each tile: (tile, item), sorted.
     struct Texel {
         std::int16_t x, y;
     };

@@ -106,8 +106,7 @@ class Surface {
     }
 
     // The same texels without a list of all: calls visit(part) with one after the other, at most about
-    // 100,000 in a part. As they stand: of surfaces that
-    // hold few texels.
+    // 100,000 in a part. As they stand here, all in one: for surfaces of few texels.
     using TexelVisitor = std::function<void(std::span<const SurfaceTexel>)>;
     virtual void visit_ball(glm::vec3 centre, float radius, const TexelVisitor& visit) const {
         std::vector<SurfaceTexel> all;

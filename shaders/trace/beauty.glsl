@@ -65,8 +65,10 @@ vec4 radiance_along(vec3 camera_ray, uint pixel, bool preview, bool has_ray) {
         }
         if (!(sum.a > 0.0 && traced < last && secondary_ray(s, traced, pixel, preview, ray))) ray.reach = kNoReach;
     } while (traced++ < last);
-    if (sum.a > 0.0 && !kShadows) sum.rgb += unshadowed_lights(s, pixel, preview);
-    if (sum.a > 0.0) sum.rgb += unshadowed_sky(s, preview);
+    if (sum.a > 0.0) {
+        if (!kShadows) sum.rgb += unshadowed_lights(s, pixel, preview);
+        sum.rgb += unshadowed_sky(s, preview);
+    }
     return sum;
 }
 

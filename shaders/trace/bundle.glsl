@@ -197,7 +197,7 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
                 Primitive p = load_primitive_together(id);
                 bool met_box = (rays_of_key(key) & (1u << lane())) != 0u && key <= limit_of(r, reach);
                 if (met_box && test_primitive(p, id, box, origin, direction, t_min, pixel, best))
-                    reach = any_hit ? -1.0 : best.t;
+                    reach = any_hit ? kNoReach : best.t;
                 limit = limit_of(r, latest_of_bundle(reach));
                 next = next_waiting(limit, key);
             }

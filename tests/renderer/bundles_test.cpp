@@ -17,25 +17,9 @@ class Bundles : public EveryMethod {
         static vulkan::Context context({.device = "", .validation = true, .bundles = false});
         return context;
     }
-
-    static Renderer renderer(vulkan::Context& context, const Scene& scene, const TestMap& map,
-                             const RenderSettings& settings) {
-        const HeightView view = map.view();
-        return Renderer(context, scene, std::span(&view, 1), settings);
-    }
 };
 
-INSTANTIATE_TEST_SUITE_P(EveryMethod, Bundles, testing::ValuesIn(method_names()), [](const auto& test) { return test.param; });
-
-Scene lit_ball() {
-    Scene scene = make_scene(ball_mesh(64, 32), 0.3);
-    Light point;
-    point.kind = Light::Kind::point;
-    point.position = {2, 2, 1};
-    point.radius = 0.3f;
-    scene.lights.push_back(point);
-    return scene;
-}
+RELIEVO_FOR_EVERY_METHOD(Bundles);
 
 RenderSettings of_size(RenderSettings settings, int width, int height) {
     settings.path = TracePath::bvh;
@@ -45,12 +29,12 @@ RenderSettings of_size(RenderSettings settings, int width, int height) {
 }
 
 TEST_P(Bundles, ImagesOfAnySizeAndWindowAreEqual) {
-    const Scene scene = lit_ball();
+    const Scene scene = lit_ball(ball_mesh(64, 32));
     const TestMap map = bumps(128);
     for (const auto& [width, height] : {std::pair{1, 1}, {3, 50}, {61, 37}}) {
         const RenderSettings settings = of_size(settings_of(scene), width, height);
         const auto images = [&](vulkan::Context& context) {
-            Renderer r = renderer(context, scene, map, settings);
+            Renderer r = make_renderer(scene, map, settings, context);
             r.render();
             r.render();
             auto all = std::vector{r.read_back(Layer::beauty), r.read_back(Layer::depth), r.read_back(Layer::normal),
@@ -65,7 +49,7 @@ TEST_P(Bundles, ImagesOfAnySizeAndWindowAreEqual) {
 }
 
 TEST_P(Bundles, RaysInAllDirectionsMeetTheSame) {
-    const Scene scene = lit_ball();
+    const Scene scene = lit_ball(ball_mesh(64, 32));
     const TestMap map = bumps(64);
     std::vector<Ray> rays;
     for (int i = 0; i < 300; ++i) {
@@ -77,7 +61,7 @@ TEST_P(Bundles, RaysInAllDirectionsMeetTheSame) {
     }
     for (const std::size_t count : {std::size_t{1}, std::size_t{7}, rays.size()}) {
         const auto picked = [&](vulkan::Context& context) {
-            Renderer r = renderer(context, scene, map, of_size(settings_of(scene), 8, 8));
+            Renderer r = make_renderer(scene, map, of_size(settings_of(scene), 8, 8), context);
             return r.pick(std::span(rays).first(count));
         };
         const auto together = picked(device()), alone = picked(lone_walkers());
@@ -115,7 +99,7 @@ TEST_P(Bundles, TheStackHoldsAllThatWaits) {
         scene.camera.eye = eye;
         scene.camera.look_at = {0, eye.x > 1 && !divided ? -3 : 0, 0};
         const auto depth = [&](vulkan::Context& context) {
-            return renderer(context, scene, map, of_size(settings_of(scene), 24, 24)).read_back(Layer::depth);
+            return make_renderer(scene, map, of_size(settings_of(scene), 24, 24), context).read_back(Layer::depth);
         };
         const auto together = depth(device());
         EXPECT_EQ(together, depth(lone_walkers()));

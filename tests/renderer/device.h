@@ -1,4 +1,4 @@
-// One validated context for all tests of the program.
+// What the renderer's tests share.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,15 +8,10 @@
 #include <vector>
 
 #include "renderer/methods/registry.h"
-#include "renderer/vulkan/context.h"
+#include "tests/support/device.h"
 #include "tests/support/scenes.h"
 
 namespace relievo::test {
-
-inline vulkan::Context& device() {
-    static vulkan::Context context({.device = "", .validation = true, .for_window = false});
-    return context;
-}
 
 // The ways of tracing beside our own, which any device takes.
 inline std::vector<TracePath> other_paths() {
@@ -26,9 +21,10 @@ inline std::vector<TracePath> other_paths() {
     return paths;
 }
 
-inline Renderer make_renderer(const Scene& scene, const TestMap& map, const RenderSettings& settings) {
+inline Renderer make_renderer(const Scene& scene, const TestMap& map, const RenderSettings& settings,
+                              vulkan::Context& context = device()) {
     const HeightView view = map.view();
-    return Renderer(device(), scene, std::span(&view, 1), settings);
+    return Renderer(context, scene, std::span(&view, 1), settings);
 }
 
 inline std::vector<float> depth_of(const Scene& scene, const TestMap& map, const RenderSettings& settings) {
@@ -64,7 +60,8 @@ inline std::vector<std::string> method_names() {
     return names;
 }
 
-// Tests that every registered method must pass: RELIEVO_EVERY_METHOD(Suite) makes the suite.
+// Tests that every registered method must pass: RELIEVO_EVERY_METHOD(Suite) makes the suite, and RELIEVO_FOR_EVERY_METHOD
+// runs one of its own.
 class EveryMethod : public testing::TestWithParam<std::string> {
   protected:
     static RenderSettings settings_of(const Scene& scene) {
@@ -74,9 +71,12 @@ class EveryMethod : public testing::TestWithParam<std::string> {
     }
 };
 
-#define RELIEVO_EVERY_METHOD(Suite)                                                         \
-    class Suite : public EveryMethod {};                                                    \
-    INSTANTIATE_TEST_SUITE_P(EveryMethod, Suite, testing::ValuesIn(method_names()),         \
+#define RELIEVO_FOR_EVERY_METHOD(Suite)                                             \
+    INSTANTIATE_TEST_SUITE_P(EveryMethod, Suite, testing::ValuesIn(method_names()), \
                              [](const auto& test) { return test.param; })
+
+#define RELIEVO_EVERY_METHOD(Suite)      \
+    class Suite : public EveryMethod {}; \
+    RELIEVO_FOR_EVERY_METHOD(Suite)
 
 }  // namespace relievo::test

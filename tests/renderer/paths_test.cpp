@@ -7,16 +7,6 @@
 namespace relievo::test {
 namespace {
 
-Scene lit_ball() {
-    Scene scene = make_scene(ball_mesh(), 0.3);
-    Light point;
-    point.kind = Light::Kind::point;
-    point.position = {2, 2, 1};
-    point.radius = 0.3f;
-    scene.lights.push_back(point);
-    return scene;
-}
-
 RELIEVO_EVERY_METHOD(Paths);
 
 RenderSettings on(TracePath path, RenderSettings settings) {

@@ -4,8 +4,8 @@
 
 #include "renderer/judge/judge.h"
 #include "renderer/stability/float_floor.h"
-#include "tests/stability/device.h"
 #include "tests/stability/irregular_surfaces.h"
+#include "tests/support/device.h"
 
 namespace relievo::stability {
 namespace {
@@ -62,7 +62,7 @@ TEST_P(CoarserLevels, AreTheSurfaceOfACoarserMap) {
     settings.width = settings.height = kSize;
     settings.method = "dbvh";
     settings.parameters = {{"level", level}};
-    Renderer renderer(device(), fine.scene(fine.views[0]), maps, settings);
+    Renderer renderer(test::device(), fine.scene(fine.views[0]), maps, settings);
     for (const NamedView& view : fine.views) {
         const Scene scene = fine.scene(view);
         ReferenceImage image = trace_image(surface, scene.camera, scene.origin, kSize, kSize);

@@ -6,7 +6,7 @@
 
 #include "renderer/methods/registry.h"
 #include "renderer/stability/case_parts.h"
-#include "tests/stability/device.h"
+#include "tests/support/device.h"
 
 namespace relievo::stability {
 namespace {
@@ -43,7 +43,7 @@ TEST_P(ExtremeTilings, NoRayPassesForWantOfBoxes) {
     settings.width = settings.height = kSize;
     settings.method = "dbvh";
     settings.parameters = {{"range", tiling.range}};
-    Renderer renderer(device(), surface.scene(surface.views[0]), maps, settings);
+    Renderer renderer(test::device(), surface.scene(surface.views[0]), maps, settings);
     float most_steps = 0;
     for (const NamedView& view : surface.views) {
         SCOPED_TRACE(view.name);

@@ -4,8 +4,8 @@
 
 #include "renderer/judge/judge.h"
 #include "renderer/stability/float_floor.h"
-#include "tests/stability/device.h"
 #include "tests/stability/irregular_surfaces.h"
+#include "tests/support/device.h"
 
 namespace relievo::stability {
 namespace {
@@ -26,7 +26,7 @@ ImageComparison compare(const Case& c, std::size_t view, double range) {
     settings.method = "dbvh";
     settings.parameters = {{"range", range}};
     const std::vector<HeightView> maps = c.maps();
-    Renderer renderer(device(), scene, maps, settings);
+    Renderer renderer(test::device(), scene, maps, settings);
     return judge.compare(renderer.read_back(Layer::depth), renderer.read_back(Layer::normal));
 }
 

@@ -7,8 +7,8 @@
 #include "renderer/stability/case_parts.h"
 #include "renderer/stability/extreme_meshes.h"
 #include "renderer/stability/harness.h"
-#include "tests/stability/device.h"
 #include "tests/stability/draw.h"
+#include "tests/support/device.h"
 
 namespace relievo::stability {
 namespace {
@@ -125,7 +125,7 @@ TEST_P(RandomSurfaces, ExactIsRight) {
     const JudgedCase judged({"random", "seed_" + std::to_string(GetParam()), "drawn at random",
                              [&] { return random_case(GetParam()); }},
                             kSize);
-    const Cell cell = judged.run(device(), find_method("exact"));
+    const Cell cell = judged.run(test::device(), find_method("exact"));
     const ImageComparison errors = cell.worst().errors;
     EXPECT_NE(cell.verdict, Verdict::broken) << cell.text();
     EXPECT_EQ(errors.missed + errors.invented + errors.unexplained, 0) << cell.text();

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "renderer/stability/ray_judge.h"
-#include "tests/stability/device.h"
+#include "tests/support/device.h"
 
 namespace relievo::stability {
 namespace {
@@ -36,7 +36,7 @@ TEST(SinglePixels, ExactIsRight) {
         RenderSettings settings;
         settings.width = settings.height = pixel.size;
         settings.method = "exact";
-        Renderer renderer(device(), extreme.scene(*view), maps, settings);
+        Renderer renderer(test::device(), extreme.scene(*view), maps, settings);
         const Ray ray = renderer.camera_ray(pixel.x + 0.5, pixel.y + 0.5);
         const ReferenceSurface reference = extreme.reference();
         const RayJudge judge(extreme, reference, {"pixel", {ray}});

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "renderer/stability/harness.h"
-#include "tests/stability/device.h"
+#include "tests/support/device.h"
 
 namespace relievo::stability {
 namespace {
@@ -16,7 +16,7 @@ TEST_P(Stability, EveryMethod) {
     for (const std::string& complaint : judged.complaints())
         ADD_FAILURE() << "the case itself: " << complaint;
     for (const Method* method : methods()) {
-        const Cell cell = judged.run(device(), *method);
+        const Cell cell = judged.run(test::device(), *method);
         std::printf("%s\n", cell.text().c_str());
         EXPECT_TRUE(cell.kept()) << method->name << " on " << GetParam() << ": " << verdict_name(cell.verdict)
                                  << ", see above";

@@ -88,6 +88,17 @@ inline Scene make_scene(const MeshFile& file, double amplitude, double midlevel 
     return scene;
 }
 
+// A displaced ball under a sun and a lamp.
+inline Scene lit_ball(const MeshFile& ball = ball_mesh()) {
+    Scene scene = make_scene(ball, 0.3);
+    Light point;
+    point.kind = Light::Kind::point;
+    point.position = {2, 2, 1};
+    point.radius = 0.3f;
+    scene.lights.push_back(point);
+    return scene;
+}
+
 inline RenderSettings settings_of(const Scene& scene) {
     RenderSettings s;
     s.width = scene.image.width;

@@ -3,11 +3,11 @@
 
 #include "renderer/vulkan/context.h"
 
-namespace relievo::stability {
+namespace relievo::test {
 
 inline vulkan::Context& device() {
     static vulkan::Context context({.device = "", .validation = true, .for_window = false});
     return context;
 }
 
-}  // namespace relievo::stability
+}  // namespace relievo::test
