@@ -1,4 +1,4 @@
-// The tables of brush settings and tools, and the range check that reads them.
+// The tables of brush settings and tools, and what brushes and dabs may hold.
 #include "brushes/brush.h"
 
 #include <array>
@@ -130,6 +130,27 @@ void check_brush(const Brush& brush) {
         throw std::invalid_argument("brush tool: no such tool");
     if (static_cast<std::size_t>(brush.falloff) >= kFalloffs.size())
         throw std::invalid_argument("brush falloff: no such falloff");
+}
+
+void check_point(const FacePoint& point, std::uint32_t faces) {
+    if (point.face >= faces)
+        throw std::out_of_range("dab on face " + std::to_string(point.face) + " of a mesh with " +
+                                std::to_string(faces) + " faces");
+    if (point.b1 > Dab::kBarycentricOne || point.b2 > Dab::kBarycentricOne - point.b1)
+        throw std::out_of_range("dab outside its face: barycentrics " + std::to_string(point.b1) + " and " +
+                                std::to_string(point.b2) + " must add up to at most " +
+                                std::to_string(Dab::kBarycentricOne));
+}
+
+void check_dab(const Dab& dab, std::uint32_t faces) {
+    check_point({dab.face, dab.b1, dab.b2}, faces);
+    if (dab.size < 1 || dab.size > Dab::kSizeOne)
+        throw std::out_of_range("dab of size " + std::to_string(dab.size) + ": it must be 1 to " +
+                                std::to_string(Dab::kSizeOne));
+    for (const std::int32_t part : dab.drag)
+        if (part < -Dab::kLargestDrag || part > Dab::kLargestDrag)
+            throw std::out_of_range("dab with a drag of " + std::to_string(part) + ": it must be at most " +
+                                    std::to_string(Dab::kLargestDrag) + " either way");
 }
 
 }  // namespace relievo

@@ -148,4 +148,8 @@ inline bool sculpts(const Brush& brush) {
 // Throws std::invalid_argument that names the first setting outside its range (NaN included) and the range.
 void check_brush(const Brush& brush);
 
+// Of a mesh of `faces` faces. Throws std::out_of_range that says what it found and what would be right.
+void check_point(const FacePoint& point, std::uint32_t faces);
+void check_dab(const Dab& dab, std::uint32_t faces);
+
 }  // namespace relievo

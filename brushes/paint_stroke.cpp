@@ -47,11 +47,8 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
         const Place& place = places[i];
         const glm::vec3 centre = place.centre.position;
         std::optional<PressedImage> image;
-        if (alpha_)
-            image.emplace(*alpha_, place.centre, place.radius, place.right, brush_.rotation,
-                          place.surface.count_in_ball(centre, place.radius));
         std::vector<Weight> own;
-        place.surface.visit_ball(centre, place.radius, [&](std::span<const SurfaceTexel> texels) {
+        const auto weigh = [&](std::span<const SurfaceTexel> texels) {
             for (const SurfaceTexel& t : texels) {
                 const float falloff = falloff_weight(brush_, std::min(t.distance / place.radius, 1.0f));
                 const float free = mask ? 1.0f - static_cast<float>(mask->at(t.x, t.y)) / kTop : 1.0f;
@@ -59,7 +56,15 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
                 const float weight = brush_.strength * pressure * falloff * free * shown;
                 if (weight > 0.0f) own.push_back({t.x, t.y, weight});
             }
-        });
+        };
+        if (alpha_) {  // the image wants to know first how many there are
+            std::vector<SurfaceTexel> texels;
+            place.surface.texels_in_ball(centre, place.radius, texels);
+            image.emplace(*alpha_, place.centre, place.radius, place.right, brush_.rotation, texels.size());
+            weigh(texels);
+        } else {
+            place.surface.visit_ball(centre, place.radius, weigh);
+        }
         if (places.size() == 1) {
             all = std::move(own);
             return;

@@ -79,8 +79,6 @@ struct Sculptor::State {
     }
 
     void start(const Brush& the_brush, std::shared_ptr<const Alpha> the_alpha);
-    void check(const Dab& dab) const;
-    void check(const FacePoint& point) const;
     // Where each branch's hand is, or takes from.
     using Points = std::span<const FacePoint>;
     // Takes a checked dab in steps of the drag that grab can follow.
@@ -133,27 +131,6 @@ void Sculptor::State::start(const Brush& the_brush, std::shared_ptr<const Alpha>
     paint.reset();
     if (paints(brush))
         paint.emplace(brush, brush.tool == Tool::stamp ? alpha.get() : nullptr, *colours, seams);
-}
-
-void Sculptor::State::check(const FacePoint& point) const {
-    if (point.face >= surface.face_count())
-        throw std::out_of_range("dab on face " + std::to_string(point.face) + " of a mesh with " +
-                                std::to_string(surface.face_count()) + " faces");
-    if (point.b1 > Dab::kBarycentricOne || point.b2 > Dab::kBarycentricOne - point.b1)
-        throw std::out_of_range("dab outside its face: barycentrics " + std::to_string(point.b1) + " and " +
-                                std::to_string(point.b2) + " must add up to at most " +
-                                std::to_string(Dab::kBarycentricOne));
-}
-
-void Sculptor::State::check(const Dab& dab) const {
-    check(FacePoint{dab.face, dab.b1, dab.b2});
-    if (dab.size < 1 || dab.size > Dab::kSizeOne)
-        throw std::out_of_range("dab of size " + std::to_string(dab.size) + ": it must be 1 to " +
-                                std::to_string(Dab::kSizeOne));
-    for (const std::int32_t part : dab.drag)
-        if (part < -Dab::kLargestDrag || part > Dab::kLargestDrag)
-            throw std::out_of_range("dab with a drag of " + std::to_string(part) + ": it must be at most " +
-                                    std::to_string(Dab::kLargestDrag) + " either way");
 }
 
 void Sculptor::State::apply(const Dab& dab, Points copies, Points sources) {
@@ -279,7 +256,8 @@ void Sculptor::begin(const Brush& brush, std::shared_ptr<const Alpha> alpha) {
 std::vector<TexelRect> Sculptor::dab(const Dab& dab, std::span<const FacePoint> copies,
                                      std::span<const FacePoint> sources) {
     state_->require_stroke(true, "dab");
-    state_->check(dab);
+    const std::uint32_t faces = state_->surface.face_count();
+    check_dab(dab, faces);
     if (copies.size() + 1 != state_->branches.size())
         throw std::out_of_range("dab with " + std::to_string(copies.size()) +
                                 " copies: the brush's symmetry makes " +
@@ -288,8 +266,8 @@ std::vector<TexelRect> Sculptor::dab(const Dab& dab, std::span<const FacePoint> 
     if (sources.size() != wanted)
         throw std::out_of_range("dab with " + std::to_string(sources.size()) + " sources: the tool needs " +
                                 std::to_string(wanted));
-    for (const FacePoint& copy : copies) state_->check(copy);
-    for (const FacePoint& source : sources) state_->check(source);
+    for (const FacePoint& copy : copies) check_point(copy, faces);
+    for (const FacePoint& source : sources) check_point(source, faces);
     state_->apply(dab, copies, sources);
     return state_->shown(state_->stroke->take_dirty(), state_->layer());
 }
