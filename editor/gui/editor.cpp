@@ -45,8 +45,14 @@ std::unique_ptr<Session> open_session(const Departure& to, SessionOptions option
     options.map = abandoned.base_map;
     options.colour_map = abandoned.base_colours;
     auto session = std::make_unique<Session>(abandoned.scene, options);
-    replay(read_journal(abandoned.journal), *session);
-    remove_recovery(abandoned.journal);
+    try {
+        replay(read_journal(abandoned.journal), *session);
+    } catch (...) {
+        session->discard_recovery();  // half of the old journal, which stays
+        throw;
+    }
+    // Its strokes are in the new session's own journal now, unless that could not be written.
+    if (session->journal_error().empty()) remove_recovery(abandoned.journal);
     return session;
 }
 

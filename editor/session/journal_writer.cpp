@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,6 +24,19 @@ bool write_all(int file, const std::string& text, std::int64_t at) {
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0) return false;
         done += static_cast<std::size_t>(count);
+    }
+    return true;
+}
+
+// All that `from` holds, up to `size` bytes, to `to`.
+bool copy_all(int from, int to, std::int64_t size) {
+    std::string part;
+    for (std::int64_t at = 0; at < size; at += static_cast<std::int64_t>(part.size())) {
+        part.resize(static_cast<std::size_t>(std::min<std::int64_t>(size - at, 1 << 20)));
+        const auto count = pread(from, part.data(), part.size(), at);
+        if (count <= 0) return false;
+        part.resize(static_cast<std::size_t>(count));
+        if (!write_all(to, part, at)) return false;
     }
     return true;
 }
@@ -51,6 +65,26 @@ JournalWriter::~JournalWriter() {
     close(file_);
 }
 
+// The lines of a deleted file are still there until it is closed. False, and nothing is changed, where they cannot be
+// written again.
+bool JournalWriter::replace_deleted() {
+    struct stat now {};
+    if (fstat(file_, &now) != 0 || now.st_nlink > 0) return true;
+    const int fresh = open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+    if (fresh < 0) return false;
+    flock(fresh, LOCK_EX | LOCK_NB);
+    if (!copy_all(file_, fresh, good_end_) || fdatasync(fresh) != 0) {
+        const int reason = errno;
+        close(fresh);
+        unlink(path_.c_str());
+        errno = reason;
+        return false;
+    }
+    close(file_);
+    file_ = fresh;
+    return true;
+}
+
 void JournalWriter::append(const JournalOp& op) {
     std::string line = format_op(op);
     const auto* set = std::get_if<SetOp>(&op);
@@ -59,7 +93,7 @@ void JournalWriter::append(const JournalOp& op) {
         const auto old_size = static_cast<std::size_t>(good_end_ - last_start_ - 1);
         line.resize(std::max(line.size(), old_size), ' ');
         line += "\n";
-        if (write_all(file_, line, last_start_)) {
+        if (replace_deleted() && write_all(file_, line, last_start_)) {
             good_end_ = last_start_ + static_cast<std::int64_t>(line.size());
             return;
         }
@@ -79,7 +113,7 @@ void JournalWriter::append(const JournalOp& op) {
 }
 
 bool JournalWriter::write_pending() {
-    if (write_all(file_, pending_, good_end_)) {
+    if (replace_deleted() && write_all(file_, pending_, good_end_)) {
         good_end_ += static_cast<std::int64_t>(pending_.size());
         pending_.clear();
         error_.clear();

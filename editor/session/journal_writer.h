@@ -21,7 +21,7 @@ class JournalWriter {
 
     // Writes the line and, but for `set`, waits until the disk has it. A `set` of the key that the last line
     // set takes that line's place: dragging a slider leaves one line. Never throws for a full disk: the line
-    // is kept and written with the next one; error() says so meanwhile.
+    // is kept and written with the next one; error() says so meanwhile. A file that was deleted is written anew, whole.
     void append(const JournalOp& op);
 
     const std::filesystem::path& path() const { return path_; }
@@ -29,6 +29,7 @@ class JournalWriter {
 
   private:
     bool write_pending();
+    bool replace_deleted();
 
     std::filesystem::path path_;
     int file_ = -1;

@@ -20,22 +20,18 @@ Recorder::Recorder(const JournalHeader& header, const fs::path& journal, bool re
 Recorder::~Recorder() = default;
 
 void Recorder::record(const JournalOp& op) {
-    try {
-        if (recovery_wanted_ && !recovery_) open_recovery();
-        if (recovery_) recovery_->append(with_kept_alpha(op));
-        if (journal_) journal_->append(beside_journal(op));
-    } catch (const std::exception& error) {
-        trouble_ = error.what();
-    }
+    if (journal_) journal_->append(beside_journal(op));
+    if (!recovery_wanted_) return;
+    waiting_.push_back(op);
+    with_recovery([&] {
+        for (const JournalOp& due : waiting_) recovery_->append(with_kept_alpha(due));
+        waiting_.clear();
+    });
 }
 
 void Recorder::keep_alpha(const Alpha& alpha) {
-    try {
-        if (recovery_wanted_ && !recovery_) open_recovery();
-        if (recovery_) kept_alphas_[alpha.hash()] = relievo::keep_alpha(recovery_->path(), alpha);
-    } catch (const std::exception& error) {
-        trouble_ = error.what();
-    }
+    with_recovery(
+        [&] { kept_alphas_[alpha.hash()] = relievo::keep_alpha(recovery_->path(), alpha); });
 }
 
 // Where the image could not be kept, the journal names the user's own file.
@@ -59,23 +55,37 @@ JournalOp Recorder::beside_journal(const JournalOp& op) const {
 }
 
 void Recorder::keep_base(BaseFile which, const fs::path& file) {
+    with_recovery([&] { relievo::keep_base(recovery_->path(), which, file); });
+}
+
+template <typename Work>
+void Recorder::with_recovery(Work work) {
+    if (!recovery_wanted_) return;
     try {
-        if (recovery_wanted_ && !recovery_) open_recovery();
-        if (recovery_) relievo::keep_base(recovery_->path(), which, file);
+        if (!recovery_) open_recovery();
+        work();
     } catch (const std::exception& error) {
         trouble_ = error.what();
     }
 }
 
+// A journal without the files that it must be replayed on would restore something else: there is none, then.
 void Recorder::open_recovery() {
-    recovery_wanted_ = false;  // one attempt: a folder that cannot be written stays so
-    recovery_ = std::make_unique<JournalWriter>(new_recovery_journal(header_.scene), header_);
-    if (!start_map_.empty()) relievo::keep_base(recovery_->path(), BaseFile::map, start_map_);
-    if (!start_colours_.empty()) relievo::keep_base(recovery_->path(), BaseFile::colours, start_colours_);
+    auto fresh = std::make_unique<JournalWriter>(new_recovery_journal(header_.scene), header_);
+    try {
+        if (!start_map_.empty()) relievo::keep_base(fresh->path(), BaseFile::map, start_map_);
+        if (!start_colours_.empty()) relievo::keep_base(fresh->path(), BaseFile::colours, start_colours_);
+    } catch (...) {
+        remove_recovery(fresh->path());
+        throw;
+    }
+    recovery_ = std::move(fresh);
+    trouble_.clear();
 }
 
 void Recorder::discard_recovery() {
     recovery_wanted_ = false;
+    waiting_.clear();
     if (!recovery_) return;
     const fs::path path = recovery_->path();
     recovery_.reset();

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "brushes/alpha.h"
 #include "editor/session/journal_writer.h"
@@ -27,7 +28,8 @@ class Recorder {
         start_colours_ = colours;
     }
 
-    // Never throws for trouble with files: error() tells, and the session goes on.
+    // Never throws for trouble with files: error() tells, and the session goes on. Where the recovery journal cannot be
+    // started (a full disk, say), that is tried again with every operation, and none of them is missing in it then.
     void record(const JournalOp& op);
     // Call before a stroke with this image is recorded.
     void keep_alpha(const Alpha& alpha);
@@ -37,6 +39,9 @@ class Recorder {
     std::string error() const;
 
   private:
+    // `work` on the recovery journal, which is started first where it is wanted and not there.
+    template <typename Work>
+    void with_recovery(Work work);
     void open_recovery();
     JournalOp with_kept_alpha(const JournalOp& op) const;
     JournalOp beside_journal(const JournalOp& op) const;
@@ -44,6 +49,7 @@ class Recorder {
     JournalHeader header_;
     std::filesystem::path start_map_, start_colours_;
     std::map<std::uint64_t, std::filesystem::path> kept_alphas_;  // beside the recovery journal, by hash
+    std::vector<JournalOp> waiting_;  // for the recovery journal to be started
     bool recovery_wanted_;
     std::unique_ptr<JournalWriter> journal_, recovery_;
     std::string trouble_;

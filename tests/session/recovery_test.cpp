@@ -195,6 +195,36 @@ TEST_F(Recovery, AStateFolderThatCannotBeMadeIsReportedAndSculptingGoesOn) {
     EXPECT_TRUE(session.undo());
 }
 
+TEST_F(Recovery, AStateFolderThatCanBeMadeLaterGetsAllAndTheNamedJournalNeverMissedAny) {
+    setenv("XDG_STATE_HOME", (folder_.path() / "state").c_str(), 1);
+    test::write_text(folder_.path() / "state", "in the way");
+    const auto all = [](Session& session) {
+        sculpt(session, 1);
+        sculpt(session, 2);
+    };
+    run_killed([&](Session& session) {
+        sculpt(session, 1);
+        EXPECT_NE(session.journal_error(), "");
+        std::filesystem::remove(folder_.path() / "state");
+        sculpt(session, 2);
+        EXPECT_EQ(session.journal_error(), "");
+    });
+    const auto found = find_abandoned_journals();
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].edits, 2u);
+    EXPECT_EQ(restored(found[0])->map().hash(), hash_after(all));
+
+    test::write_text(folder_.path() / "other", "in the way");
+    setenv("XDG_STATE_HOME", (folder_.path() / "other").c_str(), 1);
+    SessionOptions options = recovering();
+    options.journal = folder_.path() / "named.jsonl";
+    {
+        Session session(scene_, options);
+        all(session);
+    }
+    EXPECT_EQ(read_journal(options.journal).entries.size(), 2u);
+}
+
 TEST_F(Recovery, AStampIsRestoredThoughItsImageIsGoneAndNothingOfItStaysBehind) {
     const auto image = folder_.path() / "a.exr";
     // Nothing is read or written as EXR before the fork: its library's threads would not be there after it.

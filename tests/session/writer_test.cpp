@@ -71,5 +71,40 @@ TEST(JournalWriter, AFullDiskKeepsLinesForLaterAndTearsNone) {
     EXPECT_TRUE(std::holds_alternative<RedoOp>(journal.entries[2].op));
 }
 
+TEST(JournalWriter, ADeletedFileIsWrittenAnewWithAllItsLines) {
+    const test::TemporaryFolder folder;
+    JournalWriter writer(folder.path() / "a.jsonl", {});
+    writer.append(StrokeOp{Brush{}, {Dab{}, Dab{}}});
+    writer.append(SetOp{"amplitude", 0.5});
+    std::filesystem::remove(writer.path());
+    writer.append(SetOp{"amplitude", 0.25});
+    std::filesystem::remove(writer.path());
+    writer.append(UndoOp{});
+    EXPECT_EQ(writer.error(), "");
+    const Journal journal = read_journal(writer.path());
+    ASSERT_EQ(journal.entries.size(), 3u);
+    EXPECT_TRUE(std::holds_alternative<StrokeOp>(journal.entries[0].op));
+    EXPECT_EQ(journal.entries[1].op, JournalOp(SetOp{"amplitude", 0.25}));
+    EXPECT_EQ(journal.entries[2].op, JournalOp(UndoOp{}));
+}
+
+TEST(JournalWriter, ADeletedFolderIsReportedAndNoLineIsLostOnceItIsBack) {
+    const test::TemporaryFolder folder;
+    const auto inner = folder.path() / "inner";
+    std::filesystem::create_directory(inner);
+    JournalWriter writer(inner / "a.jsonl", {});
+    writer.append(RedoOp{});
+    std::filesystem::remove_all(inner);
+    writer.append(SetOp{"amplitude", 0.25});
+    writer.append(UndoOp{});
+    EXPECT_NE(writer.error().find("cannot write the journal"), std::string::npos) << writer.error();
+    std::filesystem::create_directory(inner);
+    writer.append(RedoOp{});
+    EXPECT_EQ(writer.error(), "");
+    const Journal journal = read_journal(writer.path());
+    ASSERT_EQ(journal.entries.size(), 4u);
+    EXPECT_EQ(journal.entries[1].op, JournalOp(SetOp{"amplitude", 0.25}));
+}
+
 }  // namespace
 }  // namespace relievo
