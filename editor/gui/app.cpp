@@ -4,6 +4,10 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -17,6 +21,7 @@
 #include "editor/gui/widgets.h"
 #include "editor/session/image_file.h"
 #include "editor/session/preferences.h"
+#include "renderer/vulkan/programs.h"
 
 namespace relievo::gui {
 namespace {
@@ -80,6 +85,7 @@ Departure App::run() {
         if (!pointer_.stroke_ends()) take_dropped();
         timed(times_.trace_ms, [&] { live_.work(std::max(kLeastTraceMs, kTurnMs - times_.input_ms)); });
         note_traced();
+        give_memory_back();
         timed(times_.cursor_ms, [&] { follow_pointer(); });
         // While the picture only refines, the device's time is the tracer's.
         if (frames_due_ > 0 || live_.take_changed() || ms_since(last_drawn_) > kUnhurriedMs) draw();
@@ -119,6 +125,16 @@ void App::draw() {
     times_.draw_ms = ms_since(last_drawn_);
     log_->shown(pointer_.in_stroke(), times_);
     if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
+}
+
+// A compiler takes tens of megabytes for a moment, in small pieces. What it leaves between those pieces that stay,
+// the C library keeps by itself: after an hour that was more than all that was in use.
+void App::give_memory_back() {
+    const std::uint64_t compiled = desk_.session.context().programs().compiled();
+    if (std::exchange(programs_seen_, compiled) == compiled) return;
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
 }
 
 void App::end_hint() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -28,6 +29,7 @@ class App {
     void wait_for_input();
     void draw();
     void note_traced();
+    void give_memory_back();
     void end_hint();
     void skip_to_escape();
     void take_dropped();
@@ -54,6 +56,7 @@ class App {
     Dialogs dialogs_;
     Layout layout_;
     std::string journal_trouble_;  // as last shown
+    std::uint64_t programs_seen_ = 0;
     double x_ = -1, y_ = -1;       // of the pointer, window pixels
     int closing_frames_ =
         0;  // after a dialog closed: what Dear ImGui says about typing is still the dialog's

@@ -138,6 +138,7 @@ std::shared_ptr<const Program> Programs::get(const Context& context, VkPipelineL
         make_rays(context, layout, key, *program);
     else
         make_compute(context, layout, key, *program);
+    ++compiled_;
     kept_.push_front({key, program});
     if (kept_.size() > most_) kept_.pop_back();
     return program;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <list>
 #include <memory>
@@ -48,6 +49,8 @@ class Programs {
     // has no such shader. From any thread.
     std::shared_ptr<const Program> get(const Context& context, VkPipelineLayout layout,
                                        const ProgramKey& key);
+    // Ever compiled. Some drivers compile at a program's first dispatch only.
+    std::uint64_t compiled() const { return compiled_; }
 
   private:
     struct Kept {
@@ -57,6 +60,7 @@ class Programs {
     std::size_t most_;
     std::mutex mutex_;
     std::list<Kept> kept_;  // the last used first
+    std::atomic<std::uint64_t> compiled_{0};
 };
 
 }  // namespace relievo::vulkan
