@@ -33,6 +33,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kTurnMs = 34, kInputMs = 14, kLateInputMs = 26, kLateUs = 50e3, kLeastTraceMs = 8;
 constexpr double kRestSeconds = 0.5, kAirbrushSeconds = 0.02;
 constexpr double kUnhurriedMs = 100;  // between frames that show nothing new but numbers
+constexpr double kMemoryMs = 20e3;   // between two times that free memory goes back
 constexpr int kClosingFrames = 2;
 constexpr int kSettleFrames = 3;
 
@@ -127,14 +128,17 @@ void App::draw() {
     if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
 }
 
-// A compiler takes tens of megabytes for a moment, in small pieces. What it leaves between those pieces that stay,
-// the C library keeps by itself: after an hour that was more than all that was in use.
+// A compiler takes a hundred megabytes for a moment, in small pieces. What it leaves between those that stay, the C
+// library keeps by itself, and whatever comes and goes later wanders all over it: after an hour that was as much as all
+// that was in use. To look for it takes some milliseconds, so it is done now and then.
 void App::give_memory_back() {
     const std::uint64_t compiled = desk_.session.context().programs().compiled();
-    if (std::exchange(programs_seen_, compiled) == compiled) return;
+    if (compiled == programs_seen_ && (pointer_.in_stroke() || ms_since(memory_given_) < kMemoryMs)) return;
+    programs_seen_ = compiled;
 #ifdef __GLIBC__
     malloc_trim(0);
 #endif
+    memory_given_ = Clock::now();
 }
 
 void App::end_hint() {

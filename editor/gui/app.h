@@ -56,7 +56,8 @@ class App {
     Dialogs dialogs_;
     Layout layout_;
     std::string journal_trouble_;  // as last shown
-    std::uint64_t programs_seen_ = 0;
+    std::uint64_t programs_seen_ = 0;  // compiled when memory was last given back
+    std::chrono::steady_clock::time_point memory_given_{};
     double x_ = -1, y_ = -1;       // of the pointer, window pixels
     int closing_frames_ =
         0;  // after a dialog closed: what Dear ImGui says about typing is still the dialog's
