@@ -29,8 +29,8 @@ bool Desk::attempt(const std::function<void()>& command) {
     try {
         command();
         return true;
-    } catch (const std::exception& trouble) {
-        toasts.error(trouble.what());
+    } catch (const std::exception& error) {
+        toasts.error(trouble = error.what());
         return false;
     }
 }

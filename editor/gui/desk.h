@@ -87,6 +87,7 @@ class Desk {
     std::vector<AbandonedJournal> abandoned;  // offered for recovery
     std::optional<Departure> pending;         // waits for the answer about unsaved work
     std::optional<Departure> departure;       // decided
+    std::string trouble;                      // what the last attempt() threw
 
     void set(const std::string& key, const SetValue& value);  // settings.h
     void set_exemplar(const std::filesystem::path& path);     // of procedural heights

@@ -20,18 +20,15 @@ constexpr const char* kKeysTitle = "Keys and mouse";
 constexpr const char* kUnsavedTitle = "Unsaved work";
 constexpr const char* kRecoveryTitle = "Recover unsaved work";
 
-bool begin_dialog(const char* title, float width) {
-    ImGui::SetNextWindowSize(ImVec2(points(width), 0));
-    return begin_modal(title, nullptr);
-}
-
 void draw_keys() {
-    if (!begin_dialog(kKeysTitle, 660)) return;
+    if (!begin_modal(kKeysTitle, 660)) return;
     // A small window scrolls them.
     const float rows = static_cast<float>(bindings().size()) * (ImGui::GetTextLineHeight() + points(4));
     const float room = ImGui::GetMainViewport()->Size.y - points(130);
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY,
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_ScrollY,
                           ImVec2(0, std::clamp(rows, points(80), std::max(points(80), room))))) {
+        ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed);
+        ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
         for (const Binding& key : bindings()) {
             if (key.keys.empty()) continue;
             ImGui::TableNextRow();
@@ -42,7 +39,9 @@ void draw_keys() {
             if (heading) ImGui::PopFont();
             ImGui::TableNextColumn();
             ImGui::PushStyleColor(ImGuiCol_Text, kTextDim);
+            ImGui::PushTextWrapPos(0);
             ImGui::TextUnformatted(key.meaning.data(), key.meaning.data() + key.meaning.size());
+            ImGui::PopTextWrapPos();
             ImGui::PopStyleColor();
         }
         ImGui::EndTable();
@@ -56,33 +55,6 @@ void depart(Desk& desk) {
     ImGui::CloseCurrentPopup();
 }
 
-void draw_unsaved(Desk& desk) {
-    if (!begin_dialog(kUnsavedTitle, 460)) return;
-    const auto path = desk.session.map_path();
-    ImGui::TextWrapped("%s has strokes that are not saved.",
-                       path ? path->filename().string().c_str() : "The new map");
-    ImGui::Spacing();
-    if (dialog_button("Save", true)) {
-        if (!path) {
-            desk.view.wanted = Dialog::save_as;  // goes on from there
-            ImGui::CloseCurrentPopup();
-        } else if (desk.save_to(*path)) {
-            depart(desk);
-        }
-    }
-    ImGui::SameLine();
-    if (dialog_button("Don't save")) {
-        desk.session.discard_recovery();
-        depart(desk);
-    }
-    ImGui::SameLine();
-    if (dialog_button("Cancel") || escape_pressed()) {
-        desk.pending.reset();
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
-}
-
 std::string age(std::filesystem::file_time_type when) {
     const auto minutes =
         std::chrono::duration_cast<std::chrono::minutes>(std::filesystem::file_time_type::clock::now() - when)
@@ -94,7 +66,7 @@ std::string age(std::filesystem::file_time_type when) {
 }
 
 void draw_recovery(Desk& desk) {
-    if (!begin_dialog(kRecoveryTitle, 560)) return;
+    if (!begin_modal(kRecoveryTitle, 560)) return;
     ImGui::TextWrapped(
         "Relievo ended without saving. Its journals hold the strokes; restoring replays them.");
     ImGui::Spacing();
@@ -112,14 +84,14 @@ void draw_recovery(Desk& desk) {
             desk.leave({Departure::Kind::restore, {}, journal});
             ImGui::CloseCurrentPopup();
         }
-        ImGui::SameLine();
+        beside_dialog_button();
         // Asked twice, and nothing is lost by a double click.
         bool& sure = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("sure"));
         if (!sure) {
             sure = dialog_button("Throw away...");
         } else {
             if (dialog_button("Keep")) sure = false;
-            ImGui::SameLine();
+            beside_dialog_button();
             if (dialog_button("Yes, throw away")) {
                 gone = i;
                 sure = false;  // the next journal takes this one's place, and its state
@@ -153,6 +125,7 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
         case Dialog::keys:
             return ImGui::OpenPopup(kKeysTitle);
         case Dialog::unsaved:
+            unsaved_trouble_.clear();
             return ImGui::OpenPopup(kUnsavedTitle);
         case Dialog::recovery:
             return ImGui::OpenPopup(kRecoveryTitle);
@@ -201,6 +174,37 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
         }
     }
     file_purpose_ = dialog;
+}
+
+void Dialogs::draw_unsaved(Desk& desk) {
+    if (!begin_modal(kUnsavedTitle, 560)) return;
+    const auto path = desk.session.map_path();
+    ImGui::TextWrapped("%s has strokes that are not saved.",
+                       path ? path->filename().string().c_str() : "The new map");
+    note(unsaved_trouble_);
+    const bool save = dialog_button("Save", true);
+    beside_dialog_button();
+    const bool save_as = dialog_button("Save as...") || (save && !path);
+    if (save_as) {
+        desk.view.wanted = Dialog::save_as;  // goes on from there
+        ImGui::CloseCurrentPopup();
+    } else if (save) {
+        if (desk.save_to(*path))
+            depart(desk);
+        else
+            unsaved_trouble_ = desk.trouble;
+    }
+    beside_dialog_button();
+    if (dialog_button("Don't save")) {
+        desk.session.discard_recovery();
+        depart(desk);
+    }
+    beside_dialog_button();
+    if (dialog_button("Cancel") || escape_pressed()) {
+        desk.pending.reset();
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
 }
 
 void Dialogs::draw_files(Desk& desk) {

@@ -2,6 +2,8 @@
 // One at a time.
 #pragma once
 
+#include <string>
+
 #include "editor/gui/desk.h"
 #include "editor/gui/file_dialog.h"
 #include "editor/gui/map_dialogs.h"
@@ -16,10 +18,12 @@ class Dialogs {
   private:
     void open(Desk& desk, Dialog dialog);
     void draw_files(Desk& desk);
+    void draw_unsaved(Desk& desk);
 
     FileDialog files_;
     MapDialogs maps_;
     Dialog file_purpose_ = Dialog::none;
+    std::string unsaved_trouble_;  // why the map could not be saved on the way out
 };
 
 // The browser for what can be opened, which the start without a scene needs too.

@@ -10,6 +10,7 @@
 
 #include "editor/gui/app.h"
 #include "editor/gui/file_dialog.h"
+#include "editor/gui/restore_progress.h"
 #include "editor/session/preferences.h"
 #include "editor/session/recovery.h"
 #include "editor/session/replay.h"
@@ -39,14 +40,17 @@ std::optional<std::filesystem::path> ask_for_scene(gui::Window& window, const Se
     return chosen;
 }
 
-std::unique_ptr<Session> open_session(const Departure& to, SessionOptions options) {
+std::unique_ptr<Session> open_session(const Departure& to, SessionOptions options, gui::Window& window) {
     if (to.kind != Departure::Kind::restore) return std::make_unique<Session>(to.scene, options);
     const AbandonedJournal& abandoned = *to.abandoned;
     options.map = abandoned.base_map;
     options.colour_map = abandoned.base_colours;
     auto session = std::make_unique<Session>(abandoned.scene, options);
     try {
-        replay(read_journal(abandoned.journal), *session);
+        gui::RestoreProgress shown(session->context(), window);
+        ReplayOptions how;
+        how.progress = [&](std::size_t done, std::size_t total) { shown.show(done, total); };
+        replay(read_journal(abandoned.journal), *session, how);
     } catch (...) {
         session->discard_recovery();  // half of the old journal, which stays
         throw;
@@ -81,12 +85,12 @@ void run_scenes(gui::Window& window, gui::FrameLog& log, double most_fps, Depart
     while (to.kind != Departure::Kind::quit) {
         std::unique_ptr<Session> session;
         try {
-            session = open_session(to, options);
+            session = open_session(to, options, window);
             message.clear();
         } catch (const std::exception& trouble) {
             if (first) throw;
             message = trouble.what();
-            session = open_session({Departure::Kind::open, last, {}}, options);
+            session = open_session({Departure::Kind::open, last, {}}, options, window);
         }
         last = session->scene().path;
         remember(last, message);

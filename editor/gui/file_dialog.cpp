@@ -122,7 +122,8 @@ std::optional<fs::path> FileDialog::draw_recent() {
 
 void FileDialog::draw_entries(bool& accepted) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
-    ImGui::BeginChild("files", ImVec2(0, points(300)), true);
+    const float room = ImGui::GetMainViewport()->Size.y - points(230);  // what stands above and below takes the rest
+    ImGui::BeginChild("files", ImVec2(0, std::clamp(room, points(60), points(300))), true);
     std::optional<fs::path> enter;
     for (const Entry& entry : entries_) {
         const std::string shown = entry.folder ? entry.name + "/" : entry.name;
@@ -149,9 +150,8 @@ void FileDialog::draw_entries(bool& accepted) {
 std::optional<fs::path> FileDialog::draw() {
     if (!open_) return std::nullopt;
     if (just_opened_) ImGui::OpenPopup(purpose_.title);
-    ImGui::SetNextWindowSize(ImVec2(points(560), 0));
     bool keep = true;
-    if (!begin_modal(purpose_.title, &keep)) {
+    if (!begin_modal(purpose_.title, 560, &keep)) {
         open_ = false;
         return std::nullopt;
     }

@@ -111,8 +111,7 @@ bool MapDialogs::may_write() {
 }
 
 void MapDialogs::draw_new(Desk& desk) {
-    ImGui::SetNextWindowSize(ImVec2(points(kWidth), 0));
-    if (!begin_modal(kNewTitle, nullptr)) return;
+    if (!begin_modal(kNewTitle, kWidth)) return;
     side_row("Width", fresh_.width);
     side_row("Height", fresh_.height);
     name_row(fresh_.format);
@@ -130,7 +129,7 @@ void MapDialogs::draw_new(Desk& desk) {
             trouble_ = error.what();
         }
     }
-    ImGui::SameLine();
+    beside_dialog_button();
     if (dialog_button("Cancel") || escape_pressed()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
@@ -160,8 +159,7 @@ void MapDialogs::range_rows(const Desk& desk) {
 }
 
 void MapDialogs::draw_export(Desk& desk) {
-    ImGui::SetNextWindowSize(ImVec2(points(kWidth), 0));
-    if (!begin_modal(kExportTitle, nullptr)) return;
+    if (!begin_modal(kExportTitle, kWidth)) return;
     name_row(format_);
     range_rows(desk);
     note(trouble_);
@@ -179,7 +177,7 @@ void MapDialogs::draw_export(Desk& desk) {
             }
         }
     }
-    ImGui::SameLine();
+    beside_dialog_button();
     if (dialog_button("Cancel") || escape_pressed()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

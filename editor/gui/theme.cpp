@@ -78,6 +78,7 @@ void set_colours(ImVec4* c) {
     c[ImGuiCol_ScrollbarGrabHovered] = grey(0.32f);
     c[ImGuiCol_ScrollbarGrabActive] = grey(0.38f);
     c[ImGuiCol_CheckMark] = accent;
+    c[ImGuiCol_PlotHistogram] = accent;
     c[ImGuiCol_SliderGrab] = tint(0.85f);
     c[ImGuiCol_SliderGrabActive] = accent;
     c[ImGuiCol_Button] = grey(0.215f);

@@ -14,6 +14,7 @@ namespace relievo::gui {
 namespace {
 
 constexpr float kLabelShare = 0.38f;  // of the row
+constexpr float kDialogButton = 120;  // points
 
 std::string hidden_label(std::string_view label) {
     return "##" + std::string(label);
@@ -116,8 +117,11 @@ bool section(const char* title) {
     return open;
 }
 
-bool begin_modal(const char* title, bool* keep) {
+bool begin_modal(const char* title, float width, bool* keep) {
+    const ImVec2 most = ImGui::GetMainViewport()->Size;
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowSize(ImVec2(std::min(points(width), most.x), 0));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), most);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(points(18), points(14)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, points(6));
     const bool open = ImGui::BeginPopupModal(
@@ -149,9 +153,14 @@ void close_list_on_escape() {
 
 bool dialog_button(const char* label, bool suggested) {
     if (suggested) ImGui::PushStyleColor(ImGuiCol_Button, kAccentDim);
-    const bool pushed = ImGui::Button(label, ImVec2(points(120), 0));
+    const bool pushed = ImGui::Button(label, ImVec2(points(kDialogButton), 0));
     if (suggested) ImGui::PopStyleColor();
     return pushed || (suggested && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)));
+}
+
+void beside_dialog_button() {
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < points(kDialogButton)) ImGui::NewLine();
 }
 
 void note(std::string_view text) {

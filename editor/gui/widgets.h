@@ -32,12 +32,15 @@ bool push_button(const char* label, bool enabled, std::string_view tooltip);
 // Over the last item.
 void tooltip(std::string_view text, std::string_view title = {});
 
-// A dialog in the window's middle, as wide as set before; pair with ImGui::EndPopup() where it returns true.
-// `keep`, where given, becomes false when the user closes it.
-bool begin_modal(const char* title, bool* keep);
+// A dialog in the window's middle, `width` points wide and as tall as what it holds, but no larger than the window: it
+// scrolls then. Pair with ImGui::EndPopup() where it returns true. `keep`, where given, becomes false when the user
+// closes it.
+bool begin_modal(const char* title, float width, bool* keep = nullptr);
 
 // A dialog's button; the suggested one is what Enter pushes.
 bool dialog_button(const char* label, bool suggested = false);
+// The next one goes beside the last where there is room, else below.
+void beside_dialog_button();
 bool escape_pressed();
 // Lists that unfold and pickers of colours, which Dear ImGui 1.86 leaves open. Called once a frame, after all else.
 void close_list_on_escape();
