@@ -106,10 +106,10 @@ Departure App::run() {
 }
 
 void App::take_dropped() {
-    const std::string path = window_->take_dropped();
-    if (path.empty()) return;
+    const std::vector<std::filesystem::path> paths = window_->take_dropped();
+    if (paths.empty()) return;
     pointer_.cancel();
-    desk_.open_file(path);
+    desk_.open_files(paths);
     frames_due_ = kSettleFrames;
 }
 

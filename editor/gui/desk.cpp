@@ -25,7 +25,10 @@ constexpr float kLeastRadius = 0.002f, kMostRadius = 2.0f;  // of the mesh's
 }  // namespace
 
 bool Desk::attempt(const std::function<void()>& command) {
-    if (session.in_stroke()) return false;
+    if (session.in_stroke()) {
+        toasts.info("A stroke is still being worked out: wait for its end, or cancel it with Esc");
+        return false;
+    }
     try {
         command();
         return true;
@@ -110,6 +113,26 @@ void Desk::open_file(const std::filesystem::path& path) {
                     ": is no scene (.json), mesh (.obj, .ply, .off) or map (.png, .tif, "
                     ".tiff, .exr)");
         }
+    });
+    if (can) leave({Departure::Kind::open, scene, {}});
+}
+
+void Desk::open_files(const std::vector<std::filesystem::path>& paths) {
+    if (paths.size() == 1) return open_file(paths.front());
+    std::vector<std::filesystem::path> scenes, meshes, maps;
+    for (const auto& path : paths) {
+        const FileKind kind = kind_of_file(path);
+        if (kind == FileKind::scene) scenes.push_back(path);
+        if (kind == FileKind::mesh) meshes.push_back(path);
+        if (kind == FileKind::map) maps.push_back(path);
+    }
+    if (scenes.size() == 1) return open_file(scenes.front());
+    std::filesystem::path scene;
+    const bool can = attempt([&] {
+        if (!scenes.empty() || meshes.size() != 1 || maps.size() != 1)
+            throw std::invalid_argument(
+                "Several files were dropped: drop one scene, or one mesh and one map, or one file alone");
+        scene = scene_with_map(scene_of_mesh(meshes.front()), maps.front());
     });
     if (can) leave({Departure::Kind::open, scene, {}});
 }

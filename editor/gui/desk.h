@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "editor/gui/alpha_shelf.h"
 #include "editor/gui/brush_cursor.h"
@@ -97,6 +98,8 @@ class Desk {
     void save();  // asks for a path where there is none yet
     bool save_to(const std::filesystem::path& path);
     void open_file(const std::filesystem::path& path);  // a scene, a mesh, or a map for the edited object
+    // What was dropped together: a scene (the rest is taken for its parts), or a mesh and its map; else one file alone.
+    void open_files(const std::vector<std::filesystem::path>& paths);
     // What is traced, without the interface; an EXR has the layers of the surface, too.
     void save_picture(const std::filesystem::path& path);
     void revert();                           // to what was last saved or loaded

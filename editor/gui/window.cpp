@@ -80,7 +80,7 @@ struct WindowCallbacks {
         if (ui_listens()) ImGui_ImplGlfw_CursorEnterCallback(handle, entered);
     }
     static void drop(GLFWwindow* handle, int count, const char** paths) {
-        if (count > 0) window_of(handle).dropped_ = paths[count - 1];
+        window_of(handle).dropped_.assign(paths, paths + std::max(0, count));
     }
     static void set_all(GLFWwindow* handle) {
         glfwSetCursorPosCallback(handle, cursor);

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -57,8 +58,8 @@ class Window {
         return start_us_;
     }  // of the steady clock: where the events' times begin
 
-    // A file that was dropped on the window since the last call; empty: none. Of several the last.
-    std::string take_dropped() { return std::exchange(dropped_, {}); }
+    // Files that were dropped on the window together since the last call, mostly none.
+    std::vector<std::filesystem::path> take_dropped() { return std::exchange(dropped_, {}); }
 
     bool close_wanted() const;
     void refuse_close();
@@ -86,7 +87,8 @@ class Window {
     double x_ = 0, y_ = 0;  // window coordinates
     double pixels_per_unit_ = 1;
     double chosen_scale_ = 0;
-    std::string title_, dropped_;
+    std::string title_;
+    std::vector<std::filesystem::path> dropped_;
 };
 
 }  // namespace relievo::gui

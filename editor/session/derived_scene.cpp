@@ -64,6 +64,7 @@ json movable(const Scene& scene) {
 fs::path with_map(const Scene& scene, const fs::path& map, const fs::path& colours = {}) {
     json root = movable(scene);
     json& displacement = root["objects"][0]["displacement"];
+    if (displacement.is_null()) displacement = json::object();  // a bare mesh's scene says nothing of it
     // A map that stands for procedural heights is a bake: it is clamped as that is.
     if (displacement.contains("procedural")) displacement["wrap"] = "clamp";
     for (const char* key : {"size", "procedural"}) displacement.erase(key);

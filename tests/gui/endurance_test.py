@@ -1,9 +1,12 @@
 """What long work meets, in the real window: memory, journals and folders that go away, restoring what was long."""
+import json
 import os
 import shutil
 import time
 
-from desktop import Desktop, Editor, strokes, wait_for
+from desktop import Desktop, Editor, difference, operations, strokes, wait_for
+from dropping import drop
+from hands import Hands
 from random_test import memory_mib
 from window_test import STROKE, finish_and_replay, run
 
@@ -87,6 +90,60 @@ def dialogs_fit_a_small_window_with_large_letters(case):
     editor.ended()
 
 
+def a_command_during_a_stroke_that_lags_is_refused_aloud(case):
+    editor = case.open(case.journal)
+    for _ in range(8):
+        case.desktop.key("bracketright")
+    case.desktop.do("mousemove", 700, 22)
+    before = case.desktop.settled_screen()
+    hands = Hands(case.desktop.display)
+    hands.move(*STROKE[0])
+    time.sleep(0.5)
+    hands.button(1, True)
+    for _ in range(120):  # to and fro: thousands of large dabs
+        for x, y in (STROKE[-1], STROKE[0]):
+            hands.move(x, y)
+            time.sleep(0.004)
+    hands.button(1, False)
+    hands.move(80, 22)  # Save, in the top bar
+    time.sleep(0.2)
+    hands.button(1, True)
+    time.sleep(0.2)
+    hands.button(1, False)
+    time.sleep(0.5)
+    lagged = not strokes(case.journal)
+    message = difference(before, case.desktop.screen(), (74, 540, 330, 560))
+    wait_for("the stroke", lambda: strokes(case.journal))
+    hands.close()
+    assert lagged, "the dabs kept up: the test needs more of them"
+    assert message > 5, f"no message: {message}"
+    editor.screenshot()
+    assert [op["op"] for op in operations(case.journal)] == ["stroke"], "saved half a stroke"
+    finish_and_replay(case, editor)
+
+
+def files_dropped_together_are_opened_together_or_not_at_all(case):
+    editor = case.open(case.journal)
+    mesh = os.path.join(case.folder, "meshes", "asteroid.obj")
+    other = shutil.copy(case.map, os.path.join(case.folder, "maps", "other.png"))
+    drop(case.desktop.display, editor.window, [case.map, other])
+    editor.screenshot()
+    assert len(case.preferences()["recent"]) == 1, case.preferences()
+    drop(case.desktop.display, editor.window, [other, mesh])
+    wait_for("the mesh with the map", lambda: "-other-" in case.preferences()["recent"][0])
+    editor.focus()
+    editor.screenshot()
+    with open(case.preferences()["recent"][0]) as file:
+        thing = json.load(file)["objects"][0]
+    assert thing["mesh"] == mesh and thing["displacement"]["map"] == other, thing
+    drop(case.desktop.display, editor.window, [mesh, case.scene, other])
+    wait_for("the scene", lambda: case.preferences()["recent"][0] == case.scene)
+    editor.focus()
+    editor.screenshot()
+    case.desktop.key("ctrl+q")
+    editor.ended()
+
+
 def a_long_restore_can_be_stopped_and_done_later(case):
     editor = case.open()
     case.desktop.drag(STROKE)
@@ -130,4 +187,5 @@ def a_long_restore_can_be_stopped_and_done_later(case):
 if __name__ == "__main__":
     run((memory_of_compilers_goes_back, journals_deleted_between_strokes_miss_nothing,
          what_cannot_be_saved_on_the_way_out_is_saved_elsewhere, dialogs_fit_a_small_window_with_large_letters,
-         a_long_restore_can_be_stopped_and_done_later))
+         a_command_during_a_stroke_that_lags_is_refused_aloud,
+         files_dropped_together_are_opened_together_or_not_at_all, a_long_restore_can_be_stopped_and_done_later))

@@ -45,6 +45,15 @@ TEST_F(DerivedScene, AMeshOpensWithANewMap) {
     EXPECT_EQ(scene_of_mesh(at("sheet.obj")), scene) << "the same mesh is the same recent file";
 }
 
+TEST_F(DerivedScene, ABareMeshTakesAMapAndANewOne) {
+    const fs::path bare = scene_of_mesh(at("sheet.obj"));
+    save_map(HeightMap(33, 20, 7), at("other.tif"), MapFormat::tiff16);
+    Session given(scene_with_map(bare, at("other.tif")), test::headless());
+    EXPECT_EQ(given.map_path(), at("other.tif"));
+    Session made(scene_with_new_map(bare, {at("fresh.png"), 16, 8}), test::headless());
+    EXPECT_EQ(made.map().height(), 8);
+}
+
 TEST_F(DerivedScene, SavedHeightsAndColoursOpenTogether) {
     save_map(HeightMap(33, 20, 7), at("other.tif"), MapFormat::tiff16);
     save_colours(ColourMap(33, 20, 16, {1, 2, 3}), at("other_colour.png"));
