@@ -40,22 +40,17 @@ std::optional<glm::dmat2> lengths_of(const Mesh& mesh, const MapGrid& grid, cons
                                      const UvSide& side) {
     const TexelTriangle triangle = texel_triangle(mesh, side.face, grid);
     if (!can_rasterise(triangle, grid)) return {};
-    const auto& corner = mesh.faces[side.face].position;
-    const glm::dvec3 p0(mesh.positions[corner[0]]);
-    const glm::dvec3 e1 = glm::dvec3(mesh.positions[corner[1]]) - p0,
-                     e2 = glm::dvec3(mesh.positions[corner[2]]) - p0;
     const glm::dvec3 from(mesh.positions[seam.position[0]]), to(mesh.positions[seam.position[1]]);
     const double length = glm::length(to - from);
     if (!(length > 0)) return {};
     const glm::dvec3 along = (to - from) / length;
-    const glm::dvec3 inside = p0 + (e1 + e2) / 3.0 - from;
+    const glm::dmat2x3 space = space_from_texels(mesh, side.face, triangle);
+    const glm::dvec3 inside = space * (side.inner - side.from);
     const glm::dvec3 away = inside - along * glm::dot(inside, along);
     const double depth = glm::length(away);
     if (!(depth > 0)) return {};
-    const glm::dmat2 from_barycentrics(glm::dot(e1, along), glm::dot(e1, away) / depth, glm::dot(e2, along),
-                                       glm::dot(e2, away) / depth);
-    const glm::dmat2 texels(triangle.p[1] - triangle.p[0], triangle.p[2] - triangle.p[0]);
-    const glm::dmat2 result = from_barycentrics * glm::inverse(texels);
+    const glm::dmat2 result(glm::dot(space[0], along), glm::dot(space[0], away) / depth, glm::dot(space[1], along),
+                            glm::dot(space[1], away) / depth);
     return std::isfinite(glm::determinant(result)) && glm::determinant(result) != 0 ? std::optional(result)
                                                                                     : std::nullopt;
 }

@@ -15,17 +15,6 @@ constexpr double kStraight = 1e-4;
 // continuation leads nowhere.
 constexpr double kSteepest = 4;
 
-// The step in space of a step in texels, on the base triangle.
-glm::dvec3 in_space(const Mesh& mesh, const TexelTriangle& triangle, std::uint32_t face, glm::dvec2 step) {
-    const auto& corner = mesh.faces[face].position;
-    const glm::dvec3 origin(mesh.positions[corner[0]]);
-    const glm::dvec2 t1 = triangle.p[1] - triangle.p[0], t2 = triangle.p[2] - triangle.p[0];
-    const double b1 = step.x * t2.y - step.y * t2.x, b2 = t1.x * step.y - t1.y * step.x;
-    return (b1 * (glm::dvec3(mesh.positions[corner[1]]) - origin) +
-            b2 * (glm::dvec3(mesh.positions[corner[2]]) - origin)) /
-           triangle.doubled_area();
-}
-
 // One texel's step across the border: so far from it, and so many texels along it.
 struct Row {
     double away, along;
@@ -61,9 +50,10 @@ SlopeWeights slope_weights(const Mesh& mesh, const MapGrid& grid, const UvSeam& 
         return glm::dvec2(static_cast<double>(turn.xx) * d.x + static_cast<double>(turn.xy) * d.y,
                           static_cast<double>(turn.yx) * d.x + static_cast<double>(turn.yy) * d.y);
     };
-    const Row row_a = row_of(in_space(mesh, a, seam.a.face, outward), in_space(mesh, a, seam.a.face, along));
-    const Row row_b = row_of(in_space(mesh, b, seam.b.face, turned(outward)),
-                             in_space(mesh, b, seam.b.face, turned(along)));
+    const glm::dmat2x3 space_a = space_from_texels(mesh, seam.a.face, a),
+                       space_b = space_from_texels(mesh, seam.b.face, b);
+    const Row row_a = row_of(space_a * outward, space_a * along);
+    const Row row_b = row_of(space_b * turned(outward), space_b * turned(along));
     if (!usable(row_a) || !usable(row_b)) return none;
 
     const double sum = row_a.away + row_b.away;

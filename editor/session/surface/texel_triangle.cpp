@@ -61,6 +61,15 @@ TexelSpan TexelTriangle::columns(std::int64_t row) const {
     return {static_cast<std::int64_t>(std::ceil(low)), static_cast<std::int64_t>(std::floor(high))};
 }
 
+glm::dmat2x3 space_from_texels(const Mesh& mesh, std::uint32_t face, const TexelTriangle& triangle) {
+    const auto& corner = mesh.faces[face].position;
+    const glm::dvec3 origin(mesh.positions[corner[0]]);
+    const glm::dvec3 e1 = glm::dvec3(mesh.positions[corner[1]]) - origin,
+                     e2 = glm::dvec3(mesh.positions[corner[2]]) - origin;
+    const glm::dvec2 t1 = triangle.p[1] - triangle.p[0], t2 = triangle.p[2] - triangle.p[0];
+    return {(t2.y * e1 - t1.y * e2) / triangle.doubled_area(), (t1.x * e2 - t2.x * e1) / triangle.doubled_area()};
+}
+
 TexelSpan clipped(TexelSpan span, int size, Wrap wrap) {
     if (wrap == Wrap::repeat) return span;
     return {std::max<std::int64_t>(span.first, 0), std::min<std::int64_t>(span.last, size - 1)};

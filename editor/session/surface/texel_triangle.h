@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat2x3.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
 
@@ -32,6 +33,10 @@ TexelTriangle texel_triangle(const Mesh& mesh, std::uint32_t face, const MapGrid
 
 // A footprint can be rasterised unless it is degenerate or repeats the map more than 64 times a side.
 bool can_rasterise(const TexelTriangle& triangle, const MapGrid& grid);
+
+// Columns: the step in space, on the base triangle, of one texel right and of one texel up. Requires a footprint that is
+// not degenerate.
+glm::dmat2x3 space_from_texels(const Mesh& mesh, std::uint32_t face, const TexelTriangle& triangle);
 
 // The span's part that exists in the map: all of it under repeat, the part in [0, size) under clamp.
 TexelSpan clipped(TexelSpan span, int size, Wrap wrap);
