@@ -12,6 +12,7 @@
 #include "editor/gui/camera_control.h"
 #include "editor/session/preferences.h"
 #include "editor/session/render_output.h"
+#include "editor/session/scene_input.h"
 #include "editor/session/settings.h"
 #include "editor/session/stroke_input.h"
 #include "renderer/methods/registry.h"
@@ -100,7 +101,7 @@ void Desk::open_file(const std::filesystem::path& path) {
     const bool can = attempt([&] {
         switch (kind_of_file(path)) {
             case FileKind::scene:
-                return;
+                return check_scene(path);
             case FileKind::mesh:
                 scene = scene_of_mesh(path);
                 return;

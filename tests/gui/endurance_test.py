@@ -144,6 +144,24 @@ def files_dropped_together_are_opened_together_or_not_at_all(case):
     editor.ended()
 
 
+def a_scene_that_cannot_be_opened_takes_nothing_away(case):
+    editor = case.open(case.journal)
+    case.stroke(case.journal)
+    case.desktop.key("ctrl+s")
+    wait_for("the save", lambda: operations(case.journal)[-1]["op"] == "save")
+    bad = os.path.join(case.folder, "bad.json")
+    with open(bad, "w") as file:
+        json.dump({"relievo": 1, "objects": [{"mesh": "none.obj"}]}, file)
+    drop(case.desktop.display, editor.window, [bad])
+    editor.screenshot()
+    case.desktop.key("ctrl+z")
+    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
+    case.desktop.key("ctrl+y")
+    wait_for("the redo", lambda: operations(case.journal)[-1]["op"] == "redo")
+    case.desktop.key("ctrl+q")
+    editor.ended()
+
+
 def a_long_restore_can_be_stopped_and_done_later(case):
     editor = case.open()
     case.desktop.drag(STROKE)
@@ -188,4 +206,5 @@ if __name__ == "__main__":
     run((memory_of_compilers_goes_back, journals_deleted_between_strokes_miss_nothing,
          what_cannot_be_saved_on_the_way_out_is_saved_elsewhere, dialogs_fit_a_small_window_with_large_letters,
          a_command_during_a_stroke_that_lags_is_refused_aloud,
-         files_dropped_together_are_opened_together_or_not_at_all, a_long_restore_can_be_stopped_and_done_later))
+         files_dropped_together_are_opened_together_or_not_at_all, a_scene_that_cannot_be_opened_takes_nothing_away,
+         a_long_restore_can_be_stopped_and_done_later))
