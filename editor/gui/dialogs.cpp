@@ -168,6 +168,7 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
         case Dialog::save_as: {
             const std::filesystem::path scene = desk.session.scene().path;
             const auto fresh = scene.parent_path() / (scene.stem().string() + ".tif");
+            after_saving_ = std::exchange(desk.pending, std::nullopt);
             files_.open({"Save the map", "Save", {".png", ".tif", ".tiff", ".exr"}, true, {}},
                         desk.session.map_path().value_or(fresh));
             break;
@@ -216,7 +217,7 @@ void Dialogs::draw_files(Desk& desk) {
     if (path && file_purpose_ == Dialog::exemplar) desk.set_exemplar(*path);
     if (path && file_purpose_ == Dialog::alpha) desk.set_alpha(*path);
     if (file_purpose_ != Dialog::save_as || !was_open || files_.is_open()) return;
-    const auto waiting = std::exchange(desk.pending, std::nullopt);  // a save on the way out
+    const auto waiting = std::exchange(after_saving_, std::nullopt);
     if (path && desk.save_to(*path)) desk.departure = waiting;
 }
 

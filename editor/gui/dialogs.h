@@ -2,6 +2,7 @@
 // One at a time.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "editor/gui/desk.h"
@@ -23,6 +24,7 @@ class Dialogs {
     FileDialog files_;
     MapDialogs maps_;
     Dialog file_purpose_ = Dialog::none;
+    std::optional<Departure> after_saving_;  // of a save on the way out
     std::string unsaved_trouble_;  // why the map could not be saved on the way out
 };
 

@@ -162,6 +162,23 @@ def a_scene_that_cannot_be_opened_takes_nothing_away(case):
     editor.ended()
 
 
+def what_is_dropped_on_a_save_dialog_opens_after_the_answer_about_unsaved_work(case):
+    editor = case.open(case.journal)
+    other = shutil.copy(case.scene, os.path.join(case.folder, "scenes", "other.json"))
+    case.stroke(case.journal)
+    case.desktop.key("ctrl+shift+s")
+    editor.screenshot()
+    drop(case.desktop.display, editor.window, [other])
+    editor.screenshot()
+    time.sleep(1)
+    click(case, 504, 333)  # Don't save
+    wait_for("the other scene", lambda: case.preferences()["recent"][0] == other)
+    editor.focus()
+    editor.screenshot()
+    case.desktop.key("ctrl+q")
+    editor.ended()
+
+
 def a_long_restore_can_be_stopped_and_done_later(case):
     editor = case.open()
     case.desktop.drag(STROKE)
@@ -207,4 +224,5 @@ if __name__ == "__main__":
          what_cannot_be_saved_on_the_way_out_is_saved_elsewhere, dialogs_fit_a_small_window_with_large_letters,
          a_command_during_a_stroke_that_lags_is_refused_aloud,
          files_dropped_together_are_opened_together_or_not_at_all, a_scene_that_cannot_be_opened_takes_nothing_away,
+         what_is_dropped_on_a_save_dialog_opens_after_the_answer_about_unsaved_work,
          a_long_restore_can_be_stopped_and_done_later))
