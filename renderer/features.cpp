@@ -62,6 +62,7 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.density = f.micro_triangles ? request.density : 0;
     f.searched = f.true_shell && (all || request.has_searched);
     f.path = request.path;
+    f.driver_triangles = f.micro_triangles && f.path != TracePath::bvh;
     return f;
 }
 
@@ -95,6 +96,7 @@ class Describer {
                    method_ + " samples heights and needs no bounds of the map");
         add("surface bounds", f.true_shell,
             f.true_shell ? method_ + " meets the surface itself: boxes hold it where it leaves the parallel prism"
+            : f.driver_triangles ? method_ + " meets micro-triangles, which the driver's structure holds itself"
             : f.micro_triangles ? method_ + " meets micro-triangles, and boxes hold each of them"
                          : method_ + " meets the surface of the parallel prism, and boxes hold no more");
         add("micro-triangles", f.micro_triangles,

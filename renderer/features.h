@@ -37,6 +37,7 @@ struct Features {
     bool procedural = false;     // heights made of an exemplar
     bool albedo_maps = false;    // a material's albedo is a map
     bool micro_triangles = false; // S made of triangles in advance
+    bool driver_triangles = false; // rays meet them by the driver's own test, else by the method's
     double density = 0;          // of them, segments a texel
     bool searched = false;       // search of triangles whose shell folds
     TracePath path = TracePath::ray_query;  // never automatic

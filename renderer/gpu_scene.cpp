@@ -93,9 +93,10 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         for (const Object& o : objects_) micro_objects.push_back(micro_object(o));
         micro_.emplace(context, micro_objects, std::span(primitives_.as<gpu::Primitive>(), order.size()), features.density,
                        features.path);
-        sorted = micro_->boxes();
+        if (!features.driver_triangles) sorted = micro_->boxes();
     }
-    tree_ = BoxTree(context, commands, sorted, features.path);
+    tree_ = features.driver_triangles ? SceneTree(context, commands, micro_->triangles())
+                                      : SceneTree(context, commands, sorted, features.path);
 
     object_data_ = vulkan::Buffer(context, objects_.size() * sizeof(gpu::ObjectData), kStorage, vulkan::Access::host);
     for (std::size_t i = 0; i < objects_.size(); ++i) {

@@ -1,4 +1,4 @@
-// The scene on the device: primitives, boxes, maps; and the live path of an edit through them.
+// The scene on the device: primitives, their tree, maps; and the live path of an edit through them.
 #pragma once
 
 #include <memory>
@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "renderer/albedo_image.h"
-#include "renderer/box_tree.h"
 #include "renderer/features.h"
 #include "renderer/height_pyramid.h"
 #include "renderer/micro_scene.h"
 #include "renderer/primitives.h"
 #include "renderer/renderer.h"
 #include "renderer/scene/triangle_bounds.h"
+#include "renderer/scene_tree.h"
 
 namespace relievo {
 
@@ -42,7 +42,8 @@ class GpuScene {
 
     // Micro-triangles, where the method meets them.
     VkDeviceAddress micro_vertices() const { return micro_ ? micro_->vertices() : 0; }
-    VkDeviceAddress micro_triangles() const { return micro_ ? micro_->triangles() : 0; }
+    VkDeviceAddress micro_corners() const { return micro_ ? micro_->corners() : 0; }
+    VkDeviceAddress micro_primitives() const { return micro_ ? micro_->primitives() : 0; }
     std::uint64_t micro_bytes() const { return micro_ ? micro_->bytes() : 0; }
 
     // Writes bindings TLAS (where there is one), primitives, normals, objects, maps, opacity, albedo.
@@ -101,7 +102,7 @@ class GpuScene {
     std::vector<Object> objects_;
     vulkan::Buffer primitives_, normals_, object_data_, procedural_, staging_;
     std::optional<MicroScene> micro_;
-    BoxTree tree_;
+    SceneTree tree_;
 };
 
 }  // namespace relievo

@@ -112,7 +112,7 @@ void MicroMesh::place(std::uint32_t face, const DisplacementAt& displacement,
 }
 
 void MicroMesh::connect(std::uint32_t face, std::uint32_t first, std::uint32_t primitive,
-                        std::vector<gpu::MicroTriangle>& triangles) const {
+                        std::vector<MicroTriangle>& triangles) const {
     const std::uint32_t n = segments_[face];
     const auto same = [](const Corner& a, const Corner& b) {
         return std::uint64_t{a.b1} * b.of == std::uint64_t{b.b1} * a.of &&

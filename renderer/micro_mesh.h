@@ -15,6 +15,11 @@ namespace relievo {
 
 constexpr std::uint64_t kMostMicroTriangles = 1u << 22;
 
+struct MicroTriangle {
+    glm::uvec3 corners;  // numbers of gpu::MicroVertex
+    std::uint32_t primitive;
+};
+
 // How one object's mesh is divided. Every edge has a number of segments that follows from its length in
 // texels along u or v, the longer of the two where its sides differ; a triangle is divided like its finest
 // edge, and corners on a coarser edge stand on the nearest of that edge's own, so that neighbours share all
@@ -36,7 +41,7 @@ class MicroMesh {
     // Appends the face's triangles, those that the edges' coarser corners leave an area; their corners count
     // from `first`.
     void connect(std::uint32_t face, std::uint32_t first, std::uint32_t primitive,
-                 std::vector<gpu::MicroTriangle>& triangles) const;
+                 std::vector<MicroTriangle>& triangles) const;
 
     static constexpr std::uint32_t kMostSegments = 4096;
 

@@ -1,12 +1,12 @@
-// The micro-triangles of all objects on the device, in the order of their boxes.
+// The micro-triangles of all objects on the device, in the order in which the tree knows them.
 #pragma once
 
 #include <functional>
 #include <span>
 #include <vector>
 
-#include "renderer/box_tree.h"
 #include "renderer/micro_mesh.h"
+#include "renderer/scene_tree.h"
 #include "renderer/vulkan/resources.h"
 
 namespace relievo {
@@ -24,14 +24,19 @@ class MicroScene {
     MicroScene(const vulkan::Context& context, std::span<const Object> objects,
                std::span<const gpu::Primitive> primitives, double density, TracePath path);
 
-    std::vector<Box> boxes() const;  // box i is that of micro-triangle i
-    // Moves the micro-triangles of one primitive to where the heights are now, and their boxes.
+    // What the tree is made of, one or the other: box i is that of micro-triangle i.
+    std::vector<Box> boxes() const;
+    vulkan::TriangleBuffers triangles() const;
+    // Moves the micro-triangles of one primitive to where the heights are now, and their boxes, where the
+    // tree has any.
     void move(std::uint32_t primitive, const gpu::Primitive& p, const MicroMesh::DisplacementAt& displacement,
-              BoxTree& tree);
+              SceneTree& tree);
 
+    // As in gpu::FrameData.
     VkDeviceAddress vertices() const { return vertices_.address(); }
-    VkDeviceAddress triangles() const { return triangles_.address(); }
-    VkDeviceSize bytes() const { return vertices_.bytes() + triangles_.bytes(); }
+    VkDeviceAddress corners() const { return corners_.address(); }
+    VkDeviceAddress primitives() const { return primitives_.address(); }
+    VkDeviceSize bytes() const { return vertices_.bytes() + corners_.bytes() + primitives_.bytes(); }
 
   private:
     struct Part {  // of one primitive
@@ -43,7 +48,8 @@ class MicroScene {
     std::vector<MicroMesh> meshes_;
     std::vector<Part> parts_;
     std::vector<std::uint32_t> place_of_;  // of a triangle in its part's order: where it is stored
-    vulkan::Buffer vertices_, triangles_;
+    std::uint32_t vertex_count_ = 0;
+    vulkan::Buffer vertices_, corners_, primitives_;
 };
 
 }  // namespace relievo

@@ -1,5 +1,6 @@
 // See renderer.h. The way of a ray: Renderer::render -> vulkan/passes.cpp (dispatch) -> shaders/trace/beauty.glsl
-// (camera ray, shading) -> trace/bundle.glsl, bvh.glsl, query.glsl or pipeline.glsl (boxes) -> methods/<name>/intersect.glsl (the surface).
+// (camera ray, shading) -> trace/bundle.glsl, bvh.glsl, query.glsl or pipeline.glsl (boxes, or a driver's
+// triangles) -> methods/<name>/intersect.glsl (the surface).
 #include "renderer/renderer.h"
 
 #include <algorithm>

@@ -79,7 +79,8 @@ void Renderer::State::write_addresses() {
     frame_data().bvh = vulkan::address_words(gpu_scene->bvh_address());
     frame_data().primitives = vulkan::address_words(gpu_scene->primitive_address());
     frame_data().micro_vertices = vulkan::address_words(gpu_scene->micro_vertices());
-    frame_data().micro_triangles = vulkan::address_words(gpu_scene->micro_triangles());
+    frame_data().micro_corners = vulkan::address_words(gpu_scene->micro_corners());
+    frame_data().micro_primitives = vulkan::address_words(gpu_scene->micro_primitives());
 }
 
 void Renderer::State::make_set() {
@@ -117,7 +118,7 @@ void Renderer::State::make_passes() {
     constants[gpu::kSpecSearch] = features.searched ? 1 : 0;
     constants[gpu::kSpecProcedural] = features.procedural ? 1 : 0;
     constants[gpu::kSpecAlbedo] = features.albedo_maps ? 1 : 0;
-    passes = vulkan::Passes(context, set_layout.get(), method->name, features.path, constants);
+    passes = vulkan::Passes(context, set_layout.get(), method->name, features.path, features.driver_triangles, constants);
 }
 
 // An edit may fold a shell for the first time.

@@ -96,15 +96,10 @@ RELIEVO_CONST uint kBvhLeaf = 0x80000000u;
 RELIEVO_CONST uint kBvhNone = 0xffffffffu;
 RELIEVO_CONST uint kBvhStack = 48u;  // nodes that wait while others are walked: the builder's promise
 
-// A corner of a micro-triangle of S, and the micro-triangle (renderer/micro_mesh.h). Box i of the tree is
-// micro-triangle i.
+// A corner of micro-triangles of S (renderer/micro_mesh.h). A driver reads the positions, too.
 struct MicroVertex {
     vec3 position;  // world
     vec2 b;         // barycentrics of the base triangle's vertices 1 and 2
-};
-struct MicroTriangle {
-    uvec3 vertex;
-    uint primitive;
 };
 
 struct LightData {
@@ -135,7 +130,9 @@ struct FrameData {
     ivec2 size;        // image, pixels
     uvec2 bvh;         // device address of the BvhNodes, low word first; 0 where another way of tracing is used
     uvec2 primitives;  // device address of the Primitives
-    uvec2 micro_vertices, micro_triangles;  // device addresses, where the method has them
+    // Device addresses, where the method has micro-triangles: MicroVertices, and of micro-triangle i, which is box or
+    // triangle i of the tree, three of their numbers (12 bytes) and the number of its Primitive (4 bytes).
+    uvec2 micro_vertices, micro_corners, micro_primitives;
     vec4 parameters0, parameters1;  // of the method, in the registry's order
     LightData lights[8];
 };
@@ -231,8 +228,7 @@ static_assert(sizeof(ProceduralData) == 80);
 static_assert(sizeof(BvhNode) == 64);  // a cache line
 static_assert(sizeof(LightData) == 32);
 static_assert(sizeof(MicroVertex) == 20);
-static_assert(sizeof(MicroTriangle) == 16);
-static_assert(sizeof(FrameData) == 200 + 8 * 32);
+static_assert(sizeof(FrameData) == 208 + 8 * 32);
 static_assert(sizeof(PushData) == 32);
 static_assert(sizeof(PickRay) == 32);
 static_assert(sizeof(PickResult) == 32);

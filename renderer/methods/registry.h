@@ -24,7 +24,12 @@ struct MethodParameter {
 };
 
 // Which boxes and per-triangle data a method's rays meet.
-enum class GeometryKind { parallel_prisms, surface_bounds, triangles };  // triangles: micro-triangles of S
+enum class GeometryKind {
+    parallel_prisms,
+    surface_bounds,
+    triangles,  // micro-triangles of S: a driver's structure holds themselves, and the method's intersect.glsl defines
+                // RELIEVO_TRIANGLES (shaders/trace/triangles.glsl); our own tree holds boxes around them
+};
 
 struct Method {
     std::string_view name, title, paper, limits;

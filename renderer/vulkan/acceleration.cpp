@@ -9,25 +9,19 @@
 namespace relievo::vulkan {
 namespace {
 
-constexpr VkBufferUsageFlags kInput = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
 constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR;
 constexpr VkBufferUsageFlags kScratch = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr VkDeviceSize kScratchAlignment = 256;  // no device asks for more
 
-VkAccelerationStructureGeometryKHR box_geometry(VkDeviceAddress boxes) {
+VkAccelerationStructureGeometryKHR geometry_of(VkGeometryTypeKHR type) {
     VkAccelerationStructureGeometryKHR geometry{};
     geometry.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR;
-    geometry.geometryType = VK_GEOMETRY_TYPE_AABBS_KHR;
-    geometry.geometry.aabbs.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_AABBS_DATA_KHR;
-    geometry.geometry.aabbs.data.deviceAddress = boxes;
-    geometry.geometry.aabbs.stride = sizeof(VkAabbPositionsKHR);
+    geometry.geometryType = type;
     return geometry;
 }
 
 VkAccelerationStructureGeometryKHR instance_geometry(VkDeviceAddress instances) {
-    VkAccelerationStructureGeometryKHR geometry{};
-    geometry.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR;
-    geometry.geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR;
+    auto geometry = geometry_of(VK_GEOMETRY_TYPE_INSTANCES_KHR);
     geometry.geometry.instances.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR;
     geometry.geometry.instances.data.deviceAddress = instances;
     return geometry;
@@ -71,20 +65,39 @@ VkDeviceAddress aligned(VkDeviceAddress address) {
 
 }  // namespace
 
-BoxBvh::BoxBvh(const Context& context, Commands& commands, std::span<const VkAabbPositionsKHR> boxes)
-    : device_(context.device()), count_(static_cast<std::uint32_t>(boxes.size())) {
-    boxes_ = Buffer(context, boxes.size_bytes(), kInput, Access::host);
-    std::memcpy(boxes_.mapped(), boxes.data(), boxes.size_bytes());
-    const auto geometry = box_geometry(boxes_.address());
-    bottom_ = create(context, build_info(VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometry), count_,
-                     bottom_storage_, bottom_scratch_);
+Geometry box_geometry(VkDeviceAddress boxes, std::uint32_t count) {
+    auto geometry = geometry_of(VK_GEOMETRY_TYPE_AABBS_KHR);
+    geometry.geometry.aabbs.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_AABBS_DATA_KHR;
+    geometry.geometry.aabbs.data.deviceAddress = boxes;
+    geometry.geometry.aabbs.stride = sizeof(VkAabbPositionsKHR);
+    return {geometry, count};
+}
+
+// Every device that builds takes this format of positions.
+Geometry triangle_geometry(const TriangleBuffers& buffers) {
+    auto geometry = geometry_of(VK_GEOMETRY_TYPE_TRIANGLES_KHR);
+    auto& triangles = geometry.geometry.triangles;
+    triangles.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_TRIANGLES_DATA_KHR;
+    triangles.vertexFormat = VK_FORMAT_R32G32B32_SFLOAT;
+    triangles.vertexData.deviceAddress = buffers.vertices;
+    triangles.vertexStride = buffers.vertex_stride;
+    triangles.maxVertex = buffers.vertex_count - 1;
+    triangles.indexType = VK_INDEX_TYPE_UINT32;
+    triangles.indexData.deviceAddress = buffers.corners;
+    return {geometry, buffers.triangle_count};
+}
+
+AccelerationStructure::AccelerationStructure(const Context& context, Commands& commands, const Geometry& geometry)
+    : device_(context.device()), geometry_(geometry) {
+    bottom_ = create(context, build_info(VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometry_.description),
+                     geometry_.count, bottom_storage_, bottom_scratch_);
     VkAccelerationStructureDeviceAddressInfoKHR address{
         VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR, nullptr, bottom_};
     VkAccelerationStructureInstanceKHR instance{};
     instance.transform.matrix[0][0] = instance.transform.matrix[1][1] = instance.transform.matrix[2][2] = 1.0f;
     instance.mask = 0xff;
     instance.accelerationStructureReference = functions().get_acceleration_structure_address(device_, &address);
-    instances_ = Buffer(context, sizeof(instance), kInput, Access::host);
+    instances_ = Buffer(context, sizeof(instance), kBuildInput, Access::host);
     std::memcpy(instances_.mapped(), &instance, sizeof(instance));
     const auto top_geometry = instance_geometry(instances_.address());
     top_ = create(context, build_info(VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, top_geometry), 1, top_storage_,
@@ -92,15 +105,14 @@ BoxBvh::BoxBvh(const Context& context, Commands& commands, std::span<const VkAab
     build(commands, false);
 }
 
-BoxBvh::~BoxBvh() {
+AccelerationStructure::~AccelerationStructure() {
     if (top_ != VK_NULL_HANDLE) functions().destroy_acceleration_structure(device_, top_, nullptr);
     if (bottom_ != VK_NULL_HANDLE) functions().destroy_acceleration_structure(device_, bottom_, nullptr);
 }
 
-BoxBvh& BoxBvh::operator=(BoxBvh&& other) noexcept {
+AccelerationStructure& AccelerationStructure::operator=(AccelerationStructure&& other) noexcept {
     std::swap(device_, other.device_);
-    std::swap(count_, other.count_);
-    std::swap(boxes_, other.boxes_);
+    std::swap(geometry_, other.geometry_);
     std::swap(bottom_storage_, other.bottom_storage_);
     std::swap(top_storage_, other.top_storage_);
     std::swap(instances_, other.instances_);
@@ -111,12 +123,11 @@ BoxBvh& BoxBvh::operator=(BoxBvh&& other) noexcept {
     return *this;
 }
 
-void BoxBvh::refit(Commands& commands) { build(commands, true); }
+void AccelerationStructure::refit(Commands& commands) { build(commands, true); }
 
-void BoxBvh::build(Commands& commands, bool update) {
-    const auto geometry = box_geometry(boxes_.address());
+void AccelerationStructure::build(Commands& commands, bool update) {
     const auto top_geometry = instance_geometry(instances_.address());
-    auto bottom = build_info(VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometry);
+    auto bottom = build_info(VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometry_.description);
     auto top = build_info(VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, top_geometry);
     bottom.mode = top.mode = update ? VK_BUILD_ACCELERATION_STRUCTURE_MODE_UPDATE_KHR
                                     : VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
@@ -126,7 +137,7 @@ void BoxBvh::build(Commands& commands, bool update) {
     top.dstAccelerationStructure = top_;
     bottom.scratchData.deviceAddress = aligned(bottom_scratch_.address());
     top.scratchData.deviceAddress = aligned(top_scratch_.address());
-    const VkAccelerationStructureBuildRangeInfoKHR bottom_range{count_, 0, 0, 0}, top_range{1, 0, 0, 0};
+    const VkAccelerationStructureBuildRangeInfoKHR bottom_range{geometry_.count, 0, 0, 0}, top_range{1, 0, 0, 0};
     const VkAccelerationStructureBuildRangeInfoKHR *bottom_ranges = &bottom_range, *top_ranges = &top_range;
     commands.run([&](VkCommandBuffer cmd) {
         memory_barrier(cmd);
@@ -137,8 +148,8 @@ void BoxBvh::build(Commands& commands, bool update) {
     });
 }
 
-VkDeviceSize BoxBvh::bytes() const {
-    return boxes_.bytes() + bottom_storage_.bytes() + top_storage_.bytes() + instances_.bytes() +
+VkDeviceSize AccelerationStructure::bytes() const {
+    return bottom_storage_.bytes() + top_storage_.bytes() + instances_.bytes() +
            bottom_scratch_.bytes() + top_scratch_.bytes();
 }
 

@@ -20,8 +20,8 @@ constexpr std::array<std::string_view, kPassCount> kRayFiles{"beauty.rgen", "aov
 }  // namespace
 
 Passes::Passes(const Context& context, VkDescriptorSetLayout set_layout, std::string_view method, TracePath path,
-               const SpecConstants& constants)
-    : context_(&context), method_(method), path_(path), constants_(constants) {
+               bool driver_triangles, const SpecConstants& constants)
+    : context_(&context), method_(method), path_(path), driver_triangles_(driver_triangles), constants_(constants) {
     const VkPushConstantRange range{VK_SHADER_STAGE_ALL, 0, sizeof(gpu::PushData)};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
@@ -49,7 +49,8 @@ const Program& Passes::program(Pass pass) {
                             : path_ == TracePath::ray_query ? kComputeFiles
                             : context_->info().bundles      ? kBundleFiles
                                                             : kBvhFiles;
-        const ProgramKey key{std::string(method_), std::string(files[index]), path_, constants_of(pass)};
+        const ProgramKey key{std::string(method_), std::string(files[index]), path_, driver_triangles_,
+                             constants_of(pass)};
         programs_[index] = context_->programs().get(*context_, layout_.get(), key);
     }
     return *programs_[index];

@@ -85,27 +85,42 @@ void fill_table(const Context& context, Program& program) {
     program.hit = {base + 2 * std::uint64_t{stride}, stride, stride};
 }
 
+VkRayTracingShaderGroupCreateInfoKHR group(VkRayTracingShaderGroupTypeKHR type) {
+    VkRayTracingShaderGroupCreateInfoKHR info{};
+    info.sType = VK_STRUCTURE_TYPE_RAY_TRACING_SHADER_GROUP_CREATE_INFO_KHR;
+    info.type = type;
+    info.generalShader = info.closestHitShader = info.anyHitShader = info.intersectionShader =
+        VK_SHADER_UNUSED_KHR;
+    return info;
+}
+
+// Whether rays ask the program about triangles that they meet: shaders/trace/triangles.glsl.
+bool asks_about_triangles(const SpecConstants& constants) {
+    return constants[gpu::kSpecOpacity] != 0 || constants[gpu::kSpecNotes] != gpu::kNotesNone;
+}
+
 void make_rays(const Context& context, VkPipelineLayout layout, const ProgramKey& key, Program& program) {
-    const ShaderHandle generation = module(context, key.method, key.file),
-                       miss = module(context, key.method, "miss.rmiss"),
-                       intersection = module(context, key.method, "hit.rint"),
-                       closest = module(context, key.method, "hit.rchit");
     const Specialisation specialisation(key.constants);
-    const std::array<VkPipelineShaderStageCreateInfo, 4> stages{
-        stage(VK_SHADER_STAGE_RAYGEN_BIT_KHR, generation.get(), specialisation),
-        stage(VK_SHADER_STAGE_MISS_BIT_KHR, miss.get(), specialisation),
-        stage(VK_SHADER_STAGE_INTERSECTION_BIT_KHR, intersection.get(), specialisation),
-        stage(VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR, closest.get(), specialisation)};
-    std::array<VkRayTracingShaderGroupCreateInfoKHR, 3> groups{};
-    for (std::uint32_t i = 0; i < groups.size(); ++i) {
-        groups[i].sType = VK_STRUCTURE_TYPE_RAY_TRACING_SHADER_GROUP_CREATE_INFO_KHR;
-        groups[i].type = i < 2 ? VK_RAY_TRACING_SHADER_GROUP_TYPE_GENERAL_KHR
-                               : VK_RAY_TRACING_SHADER_GROUP_TYPE_PROCEDURAL_HIT_GROUP_KHR;
-        groups[i].generalShader = i < 2 ? i : VK_SHADER_UNUSED_KHR;
-        groups[i].closestHitShader = i < 2 ? VK_SHADER_UNUSED_KHR : 3;
-        groups[i].anyHitShader = VK_SHADER_UNUSED_KHR;
-        groups[i].intersectionShader = i < 2 ? VK_SHADER_UNUSED_KHR : 2;
-    }
+    std::vector<ShaderHandle> shaders;
+    std::vector<VkPipelineShaderStageCreateInfo> stages;
+    const auto add = [&](VkShaderStageFlagBits flag, std::string_view file) {
+        shaders.push_back(module(context, key.method, file));
+        stages.push_back(stage(flag, shaders.back().get(), specialisation));
+        return static_cast<std::uint32_t>(stages.size() - 1);
+    };
+    std::array groups{
+        group(VK_RAY_TRACING_SHADER_GROUP_TYPE_GENERAL_KHR),
+        group(VK_RAY_TRACING_SHADER_GROUP_TYPE_GENERAL_KHR),
+        group(key.driver_triangles ? VK_RAY_TRACING_SHADER_GROUP_TYPE_TRIANGLES_HIT_GROUP_KHR
+                                   : VK_RAY_TRACING_SHADER_GROUP_TYPE_PROCEDURAL_HIT_GROUP_KHR)};
+    auto& [generation, miss, hit] = groups;
+    generation.generalShader = add(VK_SHADER_STAGE_RAYGEN_BIT_KHR, key.file);
+    miss.generalShader = add(VK_SHADER_STAGE_MISS_BIT_KHR, "miss.rmiss");
+    hit.closestHitShader = add(VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR, "hit.rchit");
+    if (!key.driver_triangles)
+        hit.intersectionShader = add(VK_SHADER_STAGE_INTERSECTION_BIT_KHR, "hit.rint");
+    else if (asks_about_triangles(key.constants))
+        hit.anyHitShader = add(VK_SHADER_STAGE_ANY_HIT_BIT_KHR, "hit.rahit");
     VkRayTracingPipelineCreateInfoKHR info{};
     info.sType = VK_STRUCTURE_TYPE_RAY_TRACING_PIPELINE_CREATE_INFO_KHR;
     info.stageCount = static_cast<std::uint32_t>(stages.size());

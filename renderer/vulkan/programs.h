@@ -29,6 +29,7 @@ using SpecConstants = std::array<std::uint32_t, gpu::kSpecCount>;
 struct ProgramKey {
     std::string method, file;  // of the compute shader or the ray generation
     TracePath path = TracePath::bvh;
+    bool driver_triangles = false;  // the acceleration structure holds triangles, else boxes
     SpecConstants constants{};
     bool operator==(const ProgramKey&) const = default;
 };

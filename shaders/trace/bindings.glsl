@@ -136,7 +136,7 @@ const float kNoReach = -1.0;  // the t_max of no ray
 
 #include "intersect.glsl"  // the method's own: found by the include path of its folder
 
-// The triangle that a box of the tree belongs to: itself, where the method has no boxes of its own.
+// The primitive that a box, or a driver's triangle, of the tree belongs to: itself, where the method has none of its own.
 #ifndef RELIEVO_OWN_BOXES
 uint primitive_of_box(uint box) { return box; }
 #endif

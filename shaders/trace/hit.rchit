@@ -5,6 +5,17 @@
 #include "bindings.glsl"
 
 layout(location = 0) rayPayloadInEXT TraceHit payload;
+
+#ifdef RELIEVO_TRIANGLES
+#include "triangles.glsl"
+
+hitAttributeEXT vec2 corners;
+
+void main() {
+    payload = nearest_triangle(uint(gl_PrimitiveID), gl_WorldRayOriginEXT, gl_WorldRayDirectionEXT, gl_RayTminEXT, gl_HitTEXT,
+                               corners);
+}
+#else
 hitAttributeEXT vec2 attribute_b;
 
 void main() {
@@ -12,3 +23,4 @@ void main() {
     payload.t = gl_HitTEXT;
     payload.b = attribute_b;
 }
+#endif
