@@ -10,8 +10,7 @@ from hands import Hands
 from random_test import memory_mib
 from window_test import STROKE, finish_and_replay, run
 
-MOST_GROWTH_MIB = 40
-LEAST_GIVEN_BACK_MIB = 60
+LEAST_GIVEN_BACK_MIB = 80  # 140 with it, 25 without
 RESTORED = 800  # strokes: seconds
 
 
@@ -29,15 +28,14 @@ def memory_of_compilers_goes_back(case):
     """Every view, then two methods side by side in every view: a dozen programs are compiled."""
     editor = case.open()
     pid = editor.process.pid
-    early = memory_mib(pid, "VmRSS")
     for key in "vvvvvvcvvvvvv":
         case.desktop.key(key)
         editor.screenshot()
         time.sleep(1)
     late, peak = memory_mib(pid, "VmRSS"), memory_mib(pid, "VmHWM")
-    figures = f"{early:.0f} MiB after the first picture, {late:.0f} at the end, {peak:.0f} at most"
+    figures = f"{late:.0f} MiB at the end, {peak:.0f} at most"
     print(figures)
-    assert late - early < MOST_GROWTH_MIB and peak - late > LEAST_GIVEN_BACK_MIB, figures
+    assert peak - late > LEAST_GIVEN_BACK_MIB, figures
     case.desktop.key("ctrl+q")
     editor.ended()
 
