@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "renderer/stability/case_parts.h"
+#include "renderer/stability/extreme_meshes.h"
 
 namespace relievo::stability {
 namespace {
@@ -57,6 +58,12 @@ void add_values(std::vector<CaseEntry>& list) {
     add("spikes_on_ball", "the same on a ball", [] { return on_ball(0.2, 0.2, spike_map(256, 128)); });
     add("spikes_on_lump", "the same on 30 irregular triangles",
         [] { return on_lump(0.2, 0.2, spike_map(64, 64)); });
+    add("spikes_seen_from_between", "high spikes on a lump with holes, the eye among them", [] {
+        MapShape spikes = spike_map(163, 194);
+        spikes.wrap = Wrap::clamp;
+        return on_mesh(with_holes(lump_mesh()), {{"from inside", {-0.1555, -0.1984, 0.1614}, {0.699, 0.2837, -0.0197}}}, -1,
+                       0.5, spikes);
+    });
     add("ridges", "single columns and rows are carved",
         [] { return on_plane(-0.1, 0.8, ridge_map(77, 77)); });
     add("ridges_on_ball", "single columns and rows stand up, on a ball",

@@ -108,6 +108,11 @@ void add_normals(std::vector<CaseEntry>& list) {
         return on_mesh(with_leaning_normals(ball_mesh(16, 8)), ball_views(), 0.1, 0.5,
                        ball_dunes_map(64, 32));
     });
+    add("normals_nearly_cancel", "one corner's normal is turned round: N runs by 0, within the triangle, and S swings", [] {
+        Case c = one_triangle(0.6, {0.02, 0.02, -1}, {0, 0, 1}, {0.2, 0, 0.98});
+        c.objects[0].paint(24, 24, noise_map(24, 24).value);
+        return c;
+    });
     add("folded_shell", "one triangle whose shell folds: several surface points over one base point",
         [] { return spread_triangle(1.6, 0.9); });
     add("folded_shell_flat", "the same under a flat map", [] {

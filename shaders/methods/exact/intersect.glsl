@@ -18,7 +18,7 @@
 const int kMaxStretches = 131072;    // a triangle: beyond, the ray counts as a miss
 const int kMaxCells = 6;             // a leaf is at most 2 texels long
 const int kMaxTries = 8;             // for a chord's length
-const int kStartLevel = 2;
+const int kStartLevel = 1;
 const float kLongestChord = 256.0f;  // texels
 const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this, so that no ray slips between,
 const float kOpenMargin = 0.0f;     // at an edge without neighbour: beyond it stands nothing
@@ -30,8 +30,10 @@ const float kFirmBend = 0.25f;       // barycentric: beyond, Newton's steps at a
 const float kSureError = 2e-6f;      // of the amplitude: a chord this true decides every passage;
 const float kRefinement = 0.2f;      // one that cannot is cut to this part of itself,
 const float kLeastSpan = 1e-4f;      // down to this part of the path
+const float kTornSpan = 1e-3f;       // part of the path that is passed over where no chord holds
 const float kBorder = 1e-5f;         // texels that a polished root may lie outside its cell, beside its rounding
 const float kThere = 1e-4f;          // of the triangle's size: how far a root's shell coordinates may lead beside the ray
+const int kPolishSteps = 8;          // of Newton: near a double root each only halves the way
 const float kRest = 3e-6f;           // of the amplitude: a gap that Newton's steps have closed;
 const float kLastStep = 1e-3f;       // or the last step was shorter than this, in texels and barycentrics
 const float kAtOnce = 0.3f;          // of a closed gap: what a first and only step may leave
@@ -81,7 +83,7 @@ FUNC bool polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec
                  float bend, INOUT(vec2) b, INOUT(float) tau, OUT(float) slope) {
     float twist = abs(ob.amplitude * (quad.x - quad.y - quad.z + quad.w));
     slope = 0.0f;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < kPolishSteps; ++i) {
         ShellPoint a = shell_point(p, s, r, tau, b, 1);
         vec2 f = a.tx - cell;
         vec2 g = bilinear_gradient(quad, f);
@@ -110,7 +112,7 @@ FUNC void start_chord(Primitive p, Shell shell, PrismRay r, float most_error, fl
     ShellPoint a = w.end;
     float tau = w.c.tau + w.c.span;
     float reach = kLongestChord / max(max(abs(a.dtx.x), abs(a.dtx.y)), 1e-20f);
-    float span = min(min(r.high - tau, reach), w.longest);
+    float span = min(min(r.high - tau, reach), w.longest), over = 0.0f;
     Chord c;
     for (int k = 0; k < kMaxTries; ++k) {
         w.end = shell_point(p, shell, r, tau + span, a.b + a.db * span, 2);
@@ -125,10 +127,19 @@ FUNC void start_chord(Primitive p, Shell shell, PrismRay r, float most_error, fl
         c.error = 0.15f * abs(w.end.dh * span - c.h.y - 2.0f * c.h.z);
         float turn = max(abs(c.d2.x), abs(c.d2.y)) / (kMostTurn * max(max(abs(c.d1.x), abs(c.d1.y)), 1.0f));
         vec2 off_b = abs(c.b2);
-        float over = max(max(max(c.bend * (1.0f / kBend), turn * turn), max(off_b.x, off_b.y) * (1.0f / kFirmBend)),
-                         c.error / most_error);
-        if (over <= 1.0f) break;
+        over = max(max(max(c.bend * (1.0f / kBend), turn * turn), max(off_b.x, off_b.y) * (1.0f / kFirmBend)),
+                   c.error / most_error);
+        if (over <= 1.0f || k == kMaxTries - 1) break;
         span = max(span * (over < 64.0f ? 0.9f * inversesqrt(over) : 0.1f), least_span);  // NaN: the latter
+    }
+    w.s = 0.0f;
+    if (!(over <= 1.0f) && span <= least_span) {
+        // Beyond the triangle the shell may fold, and the path through it is torn: on from the prism's place.
+        span = min(kTornSpan * (r.high - r.low), r.high - tau);
+        vec3 place = prism_barycentrics(r, tau + span);
+        w.end = shell_point(p, shell, r, tau + span, vec2(place.y, place.z), 2);
+        w.s = 1.0f;
+        w.side = 0.0f;
     }
     c.tau = tau;
     c.span = span;
@@ -136,7 +147,6 @@ FUNC void start_chord(Primitive p, Shell shell, PrismRay r, float most_error, fl
     c.tx = a.tx;
     w.c = c;
     w.longest = 2.0f * span;
-    w.s = 0.0f;
 }
 
 FUNC float height_on(Chord c, float s) { return c.h.x + s * (c.h.y + s * c.h.z); }
@@ -315,7 +325,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         if (walks && w.s >= 1.0f) start_chord(p, shell, r, most_error, 0.1f * least_span, w);
         // Polishing moves a root by less than half its chord.
         walks = walks && !(w.c.tau + w.c.span * (w.s - 0.5f) > limit);
-        if (walks) {
+        if (walks && w.s < 1.0f) {
             float to;
             if (seek_leaf(p, ob, r, tolerance, w, to)) {
                 float side = w.side;

@@ -11,7 +11,8 @@
 const int kMaxPatches = 131072;      // a triangle: beyond, the best of what was found counts
 const int kPatchDepth = 15;
 const float kPatchTexels = 1.0f;     // of a patch that is solved
-const float kLeastLength = 0.05f;    // of N: below, it is taken to point anywhere
+const float kLeastLength = 1e-3f;    // of N: below, it is taken to point anywhere
+const float kTurnOfRounding = 4e-7f; // what rounding moves N by, at most
 const int kPatchSteps = 8;           // of Newton
 const float kLeastPatch = 1e-4f;     // size of a patch that is not divided, of the greatest displacement
 const float kAlone = 0.7f;           // below 1: how far the Jacobian may vary, over itself, where one root stands alone
@@ -100,7 +101,8 @@ FUNC PatchBox patch_box(PatchFrame f, vec2 corner, float side, vec2 d) {
     float most = max(abs(d.x), abs(d.y));
     bool pointed = shortest > kLeastLength;
     float scale = pointed ? 2.0f / (shortest + longest) : 0.0f;
-    vec3 radius = vec3(most * (pointed ? (longest - shortest) * 0.5f * scale : 1.0f));
+    // Where N is short, rounding turns it.
+    vec3 radius = vec3(most * (pointed ? (longest - shortest) * 0.5f * scale + kTurnOfRounding / shortest : 1.0f));
     vec2 range = d * scale;
     PatchBox box;
     box.low = vec3(1e30f);
@@ -181,8 +183,8 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
     root.decided = max(k.x, k.y) <= kAlone;
     // What evaluating S may round away.
     float size = max(abs(f.p.x), abs(f.p.y)) + max(abs(f.p1.x), abs(f.p1.y)) + max(abs(f.p2.x), abs(f.p2.y));
-    float noise = max(0.25f * rounding, 2e-7f * (size + abs(a.d)) + 0.5f * texel_rounding * abs(ob.amplitude) *
-                                                                        (abs(a.g.x) + abs(a.g.y)));
+    float noise = max(0.25f * rounding, 2e-7f * size + (2e-7f + kTurnOfRounding / a.length_n) * abs(a.d) +
+                                            0.5f * texel_rounding * abs(ob.amplitude) * (abs(a.g.x) + abs(a.g.y)));
     if (!root.decided && !last) return root;
     for (int i = 0; i < kPatchSteps; ++i) {
         vec2 target = b + change, off = target - middle;
@@ -202,8 +204,15 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
             vec2 by_x = f.tx1 * a.s2.y - f.tx2 * a.s1.y, by_y = f.tx2 * a.s1.x - f.tx1 * a.s2.x;
             vec2 moves = (abs(by_x) + abs(by_y)) * (abs(inverse) * (rounding + noise));
             vec2 place = patch_texel(f, root.b) - cell, border = min(vec2(texel_rounding) + moves, vec2(kMostBorder));
-            root.inside = max(abs(off.x), abs(off.y)) <= r + slack && place.x >= -border.x &&
-                          place.y >= -border.y && place.x <= 1.0f + border.x && place.y <= 1.0f + border.y;
+            vec2 beyond = place - clamp(place, vec2(0.0f), vec2(1.0f));
+            root.inside = max(abs(off.x), abs(off.y)) <= r + slack && abs(beyond.x) <= border.x && abs(beyond.y) <= border.y;
+            // Beyond the cell other heights hold: the ray must be within rounding of its border.
+            float turn = cross2(f.tx1, f.tx2);
+            if (root.inside && max(abs(beyond.x), abs(beyond.y)) > texel_rounding && turn != 0.0f) {
+                vec2 back = vec2(cross2(beyond, f.tx2), cross2(f.tx1, beyond)) * (1.0f / turn);
+                vec3 s = patch_point(f, ob, quad, cell, root.b - back).s;
+                root.inside = max(abs(s.x), abs(s.y)) <= rounding + noise;
+            }
             return root;
         }
         b = middle + clamp(off, vec2(-r - 2.0f * slack), vec2(r + 2.0f * slack));
@@ -211,6 +220,9 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
         inverse = 1.0f / cross2(vec2(a.s1.x, a.s1.y), vec2(a.s2.x, a.s2.y));
         change = vec2(a.s.x * a.s2.y - a.s.y * a.s2.x, a.s1.x * a.s.y - a.s1.y * a.s.x) * -inverse;
     }
+    // Steps that end without a root, but within reach of the patch, decide nothing.
+    vec2 off = abs(b + change - middle);
+    root.decided = root.decided && max(off.x, off.y) > r + 2.0f * slack;
     return root;
 }
 
