@@ -15,7 +15,8 @@
 
 const float kLeastWidth = 0.015625f;  // texels: narrower triangles are thin,
 const float kMostAspect = 64.0f;      // and those that are longer than this many times their width
-const float kLeastLength = 0.05f;     // of N: below, it is taken to point anywhere
+const float kLeastLength = 2e-3f;     // of N: below, it is taken to point anywhere
+const float kTurnOfRounding = 4e-7f;  // what rounding moves N by, at most
 
 // The base triangle over a plane that is divided into squares: that of the texels, or of its barycentrics where it is thin,
 // stretched so that a unit square is a texel at most. Coordinates x here are relative to vertex 0's, places to the
@@ -128,7 +129,7 @@ FUNC DisplacedBox displaced_box(Domain g, vec2 middle, vec2 half_size, vec2 d) {
     // |N|^2, equation 2.6; its square term is not negative, and within the triangle |N| <= 1.
     vec3 spread = abs(nu) + abs(nv);
     float centre = dot(n, n), linear = 2.0f * (abs(dot(n, nu)) + abs(dot(n, nv)));
-    float shortest = (centre - linear) * 0.99999f, longest = min(centre + linear + dot(spread, spread), 1.0f) * 1.00001f;
+    float shortest = (centre - linear) * 0.99999f - 2.0f * kTurnOfRounding * sqrt(centre), longest = min(centre + linear + dot(spread, spread), 1.0f) * 1.00001f;
     DisplacedBox box;
     box.turn = 10.0f;
     if (shortest > kLeastLength * kLeastLength) {
@@ -141,6 +142,9 @@ FUNC DisplacedBox displaced_box(Domain g, vec2 middle, vec2 half_size, vec2 d) {
         vec3 reach = abs(pu + nu * scale) + abs(pv + nv * scale) + (abs(n) + spread) * radius + vec3(g.margin);
         box.low = s - reach;
         box.high = s + reach;
+        float swing = kTurnOfRounding * i1 * max(abs(d.x), abs(d.y));
+        box.low = box.low - vec3(swing);
+        box.high = box.high + vec3(swing);
         box.turn = 2.0f * length(spread) * i1;
     } else {
         vec3 reach = abs(pu) + abs(pv) + vec3(max(abs(d.x), abs(d.y)) + g.margin);

@@ -46,8 +46,8 @@ FUNC PartPrism part_prism(Domain g, PrismAxes x, vec2 middle, vec2 half_size, in
     vec3 n = g.n0 + g.nx * middle.x + g.ny * middle.y, nu = g.nx * half_size.x, nv = g.ny * half_size.y;
     vec3 spread = abs(nu) + abs(nv);
     float centre = dot(n, n), linear = 2.0f * (abs(dot(n, nu)) + abs(dot(n, nv)));
-    float shortest = (centre - linear) * 0.99999f, longest = min(centre + linear + dot(spread, spread), 1.0f) * 1.00001f;
-    float scale = 0.0f, radius = max(abs(d.x), abs(d.y));
+    float shortest = (centre - linear) * 0.99999f - 2.0f * kTurnOfRounding * sqrt(centre), longest = min(centre + linear + dot(spread, spread), 1.0f) * 1.00001f;
+    float scale = 0.0f, radius = max(abs(d.x), abs(d.y)), swing = 0.0f;  // by which rounding turns N
     PartPrism prism;
     prism.turn = 10.0f;
     vec4 mid = x.n0 + x.nx * middle.x + x.ny * middle.y, mu = x.nx * half_size.x, mv = x.ny * half_size.y;
@@ -59,11 +59,12 @@ FUNC PartPrism part_prism(Domain g, PrismAxes x, vec2 middle, vec2 half_size, in
         scale = 0.5f * (g0 + g1);
         radius = 0.5f * (g1 - g0);
         lean = abs(mid) + abs(mu) + abs(mv);
+        swing = kTurnOfRounding * i1 * max(abs(d.x), abs(d.y));
         prism.turn = 2.0f * length(spread) * i1;
     }
     vec4 at = x.px * middle.x + x.py * middle.y + mid * scale;
     vec4 u = x.px * half_size.x + mu * scale, v = x.py * half_size.y + mv * scale;
-    vec4 reach = lean * radius + vec4(g.margin), both = abs(u) + abs(v);
+    vec4 reach = lean * radius + vec4(g.margin + swing), both = abs(u) + abs(v);
     // Of the rectangle's corners a half has three: all but the one at u + v, or at -u - v.
     vec4 least = side == 0 ? -both : min(min(u - v, v - u), float(side) * (-u - v));
     vec4 most = side == 0 ? both : max(max(u - v, v - u), float(side) * (-u - v));
