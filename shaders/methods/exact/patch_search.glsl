@@ -206,11 +206,14 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
             vec2 place = patch_texel(f, root.b) - cell, border = min(vec2(texel_rounding) + moves, vec2(kMostBorder));
             vec2 beyond = place - clamp(place, vec2(0.0f), vec2(1.0f));
             root.inside = max(abs(off.x), abs(off.y)) <= r + slack && abs(beyond.x) <= border.x && abs(beyond.y) <= border.y;
-            // Beyond the cell other heights hold: the ray must be within rounding of its border.
+            // Beyond the cell other heights hold, beyond the triangle other surface: the ray must be within rounding of the
+            // last place on this side.
             float turn = cross2(f.tx1, f.tx2);
-            if (root.inside && max(abs(beyond.x), abs(beyond.y)) > texel_rounding && turn != 0.0f) {
-                vec2 back = vec2(cross2(beyond, f.tx2), cross2(f.tx1, beyond)) * (1.0f / turn);
-                vec3 s = patch_point(f, ob, quad, cell, root.b - back).s;
+            vec2 back = turn != 0.0f ? vec2(cross2(beyond, f.tx2), cross2(f.tx1, beyond)) * (1.0f / turn) : vec2(0.0f);
+            vec2 kept = max(max(abs(beyond.x), abs(beyond.y)) > texel_rounding ? root.b - back : root.b, vec2(0.0f));
+            kept = kept - vec2(0.5f * max(kept.x + kept.y - 1.0f, 0.0f));
+            if (root.inside && (kept.x != root.b.x || kept.y != root.b.y)) {
+                vec3 s = patch_point(f, ob, quad, cell, kept).s;
                 root.inside = max(abs(s.x), abs(s.y)) <= rounding + noise;
             }
             return root;
