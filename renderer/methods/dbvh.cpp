@@ -15,8 +15,10 @@ constexpr MethodParameter kParameters[] = {
      "What is met where the level of detail is reached: the box itself, two triangles a square, the bilinear "
      "surface, or a smooth B-spline, which rounds the map's peaks.",
      0, 3, 2, false, kLeaves, kLatticeLeaves, kLeafNames},
-    {"level", "", "Level of detail: a leaf is 2^level texels wide. 0 is the map itself.", 0, 10, 0, false,
-     kLevels},
+    {"level", "",
+     "Level of detail: a leaf is 2^level texels wide; on a map that repeats, no wider than divides both its sides. "
+     "0 is the map itself.",
+     0, 10, 0, false, kLevels},
     {"by_pixel", "",
      "Squares whose box looks smaller than a pixel are met as boxes: quicker far away, true to a pixel.", 0,
      1, 0, true},
@@ -39,10 +41,8 @@ const Method kDbvh{
     "Thonat and others 2021, Tessellation-Free Displacement Mapping for Ray Tracing",
     "Boxes are met whole and B-splines smooth the map, so both differ from the surface by up to a texel's "
     "heights. "
-    "B-splines, and leaves above level 0, may reach beyond a base triangle's box, which cuts them; sizes "
-    "that 2^level "
-    "does not divide tear where the map repeats. A ray that met nothing in 122880 boxes of a wide triangle "
-    "ends at the next box.",
+    "B-splines, and leaves above level 0, may reach beyond a base triangle's box, which cuts them. A ray that "
+    "met nothing in 122880 boxes of a wide triangle ends at the next box.",
     GeometryKind::surface_bounds,
     true,
     kParameters,

@@ -18,7 +18,7 @@
 // The holes that the thesis shows at high quality had two causes: boxes without a margin, which rays pass between by
 // rounding, and leaves that differ between neighbours along base edges (leaf.glsl).
 //
-// Parameters: x: leaf (kLeaf*), y: level of detail (a leaf is 2^y texels wide), z: by_pixel, w: correct_normals.
+// Parameters: x: leaf (kLeaf*), y: level of detail (a leaf is 2^y texels wide, leaf_level_of), z: by_pixel, w: correct_normals.
 #include "box.glsl"
 #include "leaf.glsl"
 
@@ -62,6 +62,14 @@ FUNC vec2 displacement_range(Primitive p, ObjectData ob, vec2 values, bool of_su
 }
 
 FUNC float greatest_displacement(ObjectData ob) { return abs(ob.amplitude) * max(ob.midlevel, 1.0f - ob.midlevel); }
+
+// log2 of a leaf's texels. Where the map repeats its leaves must, too, or neighbours on both sides of a period would not
+// agree: they are at most as wide as divides both its sides.
+FUNC int leaf_level_of(Primitive p, ObjectData ob, float asked) {
+    int level = int(asked);
+    if (ob.clamp_wrap != 0u || is_procedural(p.object)) return level;
+    return min(level, findLSB(ob.map_size.x | ob.map_size.y));
+}
 
 struct Walk {        // where the walk through a triangle's squares is
     ivec2 at;        // among the squares of its level, mirrored into the ray's order
@@ -195,7 +203,7 @@ FUNC bool meet_leaf(Primitive p, ObjectData ob, Domain g, DbvhRay r, LeafCells c
 FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o, vec3 d, float t_min, float t_max,
                             float, OUT(SurfaceHit) hit) {
     float leaf = parameters.x, most = greatest_displacement(ob);
-    int leaf_level = int(parameters.y);
+    int leaf_level = leaf_level_of(p, ob, parameters.y);
     float stride = power_of_two(leaf_level), pixel = parameters.z > 0.5f ? pixel_spread() : 0.0f;
     DbvhRay r;
     r.rounding = ray_rounding(p, o);
@@ -273,5 +281,6 @@ FUNC vec3 shading_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec4 pa
 #endif
     bool correct = parameters.w > 0.5f;
     if (!of_leaf) return displaced_normal(p, n, ob, b, correct);
-    return normal_of_gradient(p, n, ob, b, leaf_gradient(p, leaf, power_of_two(int(parameters.y)), texel_at(p, b)), correct);
+    float stride = power_of_two(leaf_level_of(p, ob, parameters.y));
+    return normal_of_gradient(p, n, ob, b, leaf_gradient(p, leaf, stride, texel_at(p, b)), correct);
 }
