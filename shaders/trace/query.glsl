@@ -26,17 +26,18 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
         if (accept_triangle(met, origin, direction, t_min, rayQueryGetIntersectionTEXT(query, false),
                             rayQueryGetIntersectionBarycentricsEXT(query, false)))
             rayQueryConfirmIntersectionEXT(query);
+#else
+        if (!test_box(met, origin, direction, t_min, pixel, best)) continue;
+        rayQueryGenerateIntersectionEXT(query, best.t);
+        if (any_hit) break;
+#endif
     }
+#ifdef RELIEVO_TRIANGLES
     if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionTriangleEXT) {
         if (any_hit) best.primitive = 0u;  // whichever it was
         else best = nearest_triangle(uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true)), origin, direction, t_min,
                                      rayQueryGetIntersectionTEXT(query, true),
                                      rayQueryGetIntersectionBarycentricsEXT(query, true));
-    }
-#else
-        if (!test_box(met, origin, direction, t_min, pixel, best)) continue;
-        rayQueryGenerateIntersectionEXT(query, best.t);
-        if (any_hit) break;
     }
 #endif
     flush_counts(pixel);

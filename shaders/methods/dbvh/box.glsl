@@ -122,35 +122,49 @@ FUNC bool outside_triangle(Domain g, vec2 middle, vec2 half_size, float margin) 
     return b.x + reach.x < -slack || b.y + reach.y < -slack || 1.0f - b.x - b.y + reach0 < -slack;
 }
 
+// What a displacement between d.x and d.y is of N over a rectangle: N's middle n, and what it changes by in both directions.
+struct NormalScale {
+    bool pointed;         // else N may point anywhere there
+    float scale, radius;  // D/|N|: the middle of what it takes, and half the width
+    float swing;          // world units: what rounding of N may move S by
+    float turn;           // how far the normals may turn, radians
+};
+
+FUNC NormalScale normal_scale(vec3 n, vec3 nu, vec3 nv, vec2 d) {
+    // |N|^2, equation 2.6; its square term is not negative, and within the triangle |N| <= 1.
+    vec3 spread = abs(nu) + abs(nv);
+    float centre = dot(n, n), linear = 2.0f * (abs(dot(n, nu)) + abs(dot(n, nv)));
+    float shortest = (centre - linear) * 0.99999f - 2.0f * kTurnOfRounding * sqrt(centre);
+    float longest = max(min(centre + linear + dot(spread, spread), 1.0f) * 1.00001f, shortest), most = max(abs(d.x), abs(d.y));
+    NormalScale s;
+    s.pointed = shortest > kLeastLength * kLeastLength;
+    s.scale = 0.0f;
+    s.radius = most;
+    s.swing = 0.0f;
+    s.turn = 10.0f;
+    if (!s.pointed) return s;
+    float i0 = inversesqrt(longest), i1 = inversesqrt(shortest);
+    float g0 = d.x * (d.x > 0.0f ? i0 : i1), g1 = d.y * (d.y > 0.0f ? i1 : i0);
+    s.scale = 0.5f * (g0 + g1);
+    s.radius = 0.5f * (g1 - g0);
+    s.swing = kTurnOfRounding * i1 * most;
+    s.turn = 2.0f * length(spread) * i1;
+    return s;
+}
+
 // Box of S over the rectangle where the displacement lies between d.x and d.y.
 FUNC DisplacedBox displaced_box(Domain g, vec2 middle, vec2 half_size, vec2 d) {
     vec3 p = g.px * middle.x + g.py * middle.y, pu = g.px * half_size.x, pv = g.py * half_size.y;
     vec3 n = g.n0 + g.nx * middle.x + g.ny * middle.y, nu = g.nx * half_size.x, nv = g.ny * half_size.y;
-    // |N|^2, equation 2.6; its square term is not negative, and within the triangle |N| <= 1.
-    vec3 spread = abs(nu) + abs(nv);
-    float centre = dot(n, n), linear = 2.0f * (abs(dot(n, nu)) + abs(dot(n, nv)));
-    float shortest = (centre - linear) * 0.99999f - 2.0f * kTurnOfRounding * sqrt(centre), longest = min(centre + linear + dot(spread, spread), 1.0f) * 1.00001f;
+    NormalScale of_n = normal_scale(n, nu, nv, d);
+    // D/|N|, and its product with N.
+    vec3 lean = of_n.pointed ? abs(n) + abs(nu) + abs(nv) : vec3(1.0f);
+    vec3 s = p + n * of_n.scale;
+    vec3 reach = abs(pu + nu * of_n.scale) + abs(pv + nv * of_n.scale) + lean * of_n.radius + vec3(g.margin + of_n.swing);
     DisplacedBox box;
-    box.turn = 10.0f;
-    if (shortest > kLeastLength * kLeastLength) {
-        longest = max(longest, shortest);
-        // D/|N|, and its product with N.
-        float i0 = inversesqrt(longest), i1 = inversesqrt(shortest);
-        float g0 = d.x * (d.x > 0.0f ? i0 : i1), g1 = d.y * (d.y > 0.0f ? i1 : i0);
-        float scale = 0.5f * (g0 + g1), radius = 0.5f * (g1 - g0);
-        vec3 s = p + n * scale;
-        vec3 reach = abs(pu + nu * scale) + abs(pv + nv * scale) + (abs(n) + spread) * radius + vec3(g.margin);
-        box.low = s - reach;
-        box.high = s + reach;
-        float swing = kTurnOfRounding * i1 * max(abs(d.x), abs(d.y));
-        box.low = box.low - vec3(swing);
-        box.high = box.high + vec3(swing);
-        box.turn = 2.0f * length(spread) * i1;
-    } else {
-        vec3 reach = abs(pu) + abs(pv) + vec3(max(abs(d.x), abs(d.y)) + g.margin);
-        box.low = p - reach;
-        box.high = p + reach;
-    }
+    box.low = s - reach;
+    box.high = s + reach;
+    box.turn = of_n.turn;
     return box;
 }
 

@@ -44,27 +44,15 @@ struct PartPrism {
 // `side`: 1 where only the rectangle's half at its lower corner counts, -1 at its upper one, 0 for all of it.
 FUNC PartPrism part_prism(Domain g, PrismAxes x, vec2 middle, vec2 half_size, int side, vec2 d) {
     vec3 n = g.n0 + g.nx * middle.x + g.ny * middle.y, nu = g.nx * half_size.x, nv = g.ny * half_size.y;
-    vec3 spread = abs(nu) + abs(nv);
-    float centre = dot(n, n), linear = 2.0f * (abs(dot(n, nu)) + abs(dot(n, nv)));
-    float shortest = (centre - linear) * 0.99999f - 2.0f * kTurnOfRounding * sqrt(centre), longest = min(centre + linear + dot(spread, spread), 1.0f) * 1.00001f;
-    float scale = 0.0f, radius = max(abs(d.x), abs(d.y)), swing = 0.0f;  // by which rounding turns N
+    NormalScale of_n = normal_scale(n, nu, nv, d);
     PartPrism prism;
-    prism.turn = 10.0f;
+    prism.turn = of_n.turn;
     vec4 mid = x.n0 + x.nx * middle.x + x.ny * middle.y, mu = x.nx * half_size.x, mv = x.ny * half_size.y;
-    vec4 lean = vec4(1.0f);  // what a unit of the displacement is along the axes, at most
-    if (shortest > kLeastLength * kLeastLength) {
-        longest = max(longest, shortest);
-        float i0 = inversesqrt(longest), i1 = inversesqrt(shortest);
-        float g0 = d.x * (d.x > 0.0f ? i0 : i1), g1 = d.y * (d.y > 0.0f ? i1 : i0);
-        scale = 0.5f * (g0 + g1);
-        radius = 0.5f * (g1 - g0);
-        lean = abs(mid) + abs(mu) + abs(mv);
-        swing = kTurnOfRounding * i1 * max(abs(d.x), abs(d.y));
-        prism.turn = 2.0f * length(spread) * i1;
-    }
-    vec4 at = x.px * middle.x + x.py * middle.y + mid * scale;
-    vec4 u = x.px * half_size.x + mu * scale, v = x.py * half_size.y + mv * scale;
-    vec4 reach = lean * radius + vec4(g.margin + swing), both = abs(u) + abs(v);
+    // What a unit of the displacement is along the axes, at most.
+    vec4 lean = of_n.pointed ? abs(mid) + abs(mu) + abs(mv) : vec4(1.0f);
+    vec4 at = x.px * middle.x + x.py * middle.y + mid * of_n.scale;
+    vec4 u = x.px * half_size.x + mu * of_n.scale, v = x.py * half_size.y + mv * of_n.scale;
+    vec4 reach = lean * of_n.radius + vec4(g.margin + of_n.swing), both = abs(u) + abs(v);
     // Of the rectangle's corners a half has three: all but the one at u + v, or at -u - v.
     vec4 least = side == 0 ? -both : min(min(u - v, v - u), float(side) * (-u - v));
     vec4 most = side == 0 ? both : max(max(u - v, v - u), float(side) * (-u - v));
