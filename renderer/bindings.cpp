@@ -29,6 +29,7 @@ constexpr std::array kBindings{
     Binding{gpu::kBindMaps, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
     Binding{gpu::kBindOpacity, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
     Binding{gpu::kBindPyramids, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+    Binding{gpu::kBindSlabs, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
     Binding{gpu::kBindRayCounts, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
     Binding{gpu::kBindNotes, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
     Binding{gpu::kBindProcedural, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},

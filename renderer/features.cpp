@@ -38,6 +38,17 @@ bool any_procedural(const Scene& scene) {
                        [](const SceneObject& o) { return o.displacement.procedural.has_value(); });
 }
 
+bool needs_pyramid(const Scene& scene, const Method& method) {
+    return method.map_bounds == MapBounds::heights ||
+           (method.map_bounds == MapBounds::planes && any_procedural(scene));
+}
+
+bool needs_slabs(const Scene& scene, const Method& method) {
+    return method.map_bounds == MapBounds::planes &&
+           std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [](const SceneObject& o) { return !o.displacement.procedural.has_value(); });
+}
+
 bool any_albedo_map(const Scene& scene, const FeatureRequest& request) {
     return request.has_colours || std::any_of(scene.objects.begin(), scene.objects.end(), [](const SceneObject& o) {
                return !o.material.albedo_map.empty();
@@ -54,7 +65,8 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.gloss = all || any_gloss(scene);
     f.sky = all || any_sky(scene);
     f.mended_creases = request.has_creases && request.method->geometry == GeometryKind::parallel_prisms;
-    f.pyramid = all || request.method->needs_pyramid;
+    f.slabs = needs_slabs(scene, *request.method);
+    f.pyramid = all || needs_pyramid(scene, *request.method);
     f.true_shell = request.method->geometry == GeometryKind::surface_bounds;
     f.procedural = all || any_procedural(scene);
     f.albedo_maps = all || any_albedo_map(scene, request);
@@ -92,8 +104,17 @@ class Describer {
                    "an object's heights are made of an exemplar: its Gaussianised texels stand in the map's place",
                    "all heights are maps");
         add("height bounds", true, "each triangle's box is as high as its own part of the map (kept on the processor)");
-        add_needed("min-max pyramid", f.pyramid, request_.method->needs_pyramid, method_ + " bounds the map by it",
-                   method_ + " samples heights and needs no bounds of the map");
+        const MapBounds bounds = request_.method->map_bounds;
+        const std::string samples = method_ + " samples heights and needs no bounds of the map";
+        add_needed("min-max pyramid", f.pyramid, needs_pyramid(scene_, *request_.method),
+                   method_ + (bounds == MapBounds::planes ? " bounds the exemplar by it" : " bounds the map by it"),
+                   bounds == MapBounds::planes ? method_ + " bounds the map about planes" : samples);
+        add("bounds about planes", f.slabs,
+            f.slabs                       ? method_ + " bounds the map by them: where it is smooth they are closer than the "
+                                                      "least and the greatest height"
+            : bounds == MapBounds::none   ? samples
+            : bounds == MapBounds::planes ? "all heights are made of an exemplar"
+                                          : method_ + " bounds the map by its least and greatest heights");
         add("surface bounds", f.true_shell,
             f.true_shell ? method_ + " meets the surface itself: boxes hold it where it leaves the parallel prism"
             : f.driver_triangles ? method_ + " meets micro-triangles, which the driver's structure holds itself"

@@ -32,7 +32,8 @@ struct Features {
     bool gloss = false;          // the GGX lobe and the mirrored sky
     bool sky = false;            // light of the sky
     bool mended_creases = false; // triangles inserted along folded edges (paper 002, section 5.4)
-    bool pyramid = false;        // min-max pyramid of the map on the device
+    bool pyramid = false;        // min-max pyramid on the device: of all maps, or beside slabs of exemplars alone
+    bool slabs = false;          // bounds of maps about planes on the device
     bool true_shell = false;     // boxes and clipping hold S itself, not only the parallel prism's surface
     bool procedural = false;     // heights made of an exemplar
     bool albedo_maps = false;    // a material's albedo is a map

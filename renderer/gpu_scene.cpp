@@ -139,7 +139,7 @@ void GpuScene::add_object(const SceneObject& description, const HeightView& map,
     }
     add_primitives(object, {{map.width, map.height}, object.wrap == Wrap::clamp, object.source.get()}, primitives);
     const HeightView shown{map.width, map.height, object.source ? object.source->gaussianised().data() : map.texels};
-    load_map(object, shown, features.pyramid);
+    load_map(object, shown, features);
     load_opacity(description, object, features.opacity);
 }
 
@@ -218,7 +218,7 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     Stopwatch watch;
     upload_texels(object, map, regions);
     if (object.pyramid)
-        for (const TexelRegion& r : regions) upload_pyramid(object, object.pyramid->update(map, r));
+        for (const TexelRegion& r : regions) upload_bounds(object, map, object.pyramid->update(map, r));
     stats.copy_ms = watch.lap_ms();
 
     object.bounds->move(map.texels);
@@ -310,10 +310,11 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
         VkDescriptorBufferInfo{normals_.get(), 0, VK_WHOLE_SIZE},
         VkDescriptorBufferInfo{object_data_.get(), 0, VK_WHOLE_SIZE},
         VkDescriptorBufferInfo{procedural_.get(), 0, VK_WHOLE_SIZE}};
-    std::vector<VkDescriptorImageInfo> maps, opacities, pyramids, albedos;
+    std::vector<VkDescriptorImageInfo> maps, opacities, pyramids, slabs, albedos;
     for (const Object& o : objects_) {
         maps.push_back({o.map_sampler.get(), o.map.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
         pyramids.push_back({o.map_sampler.get(), o.pyramid_image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        slabs.push_back({o.map_sampler.get(), o.slab_image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
         albedos.push_back(o.albedo.descriptor());
         opacities.push_back({o.opacity_sampler.get(), o.opacity.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
     }
@@ -335,6 +336,7 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
     add(gpu::kBindMaps, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, maps.size()).pImageInfo = maps.data();
     add(gpu::kBindOpacity, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, opacities.size()).pImageInfo = opacities.data();
     add(gpu::kBindPyramids, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, pyramids.size()).pImageInfo = pyramids.data();
+    add(gpu::kBindSlabs, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, slabs.size()).pImageInfo = slabs.data();
     add(gpu::kBindAlbedo, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, albedos.size()).pImageInfo = albedos.data();
     vkUpdateDescriptorSets(context_.device(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
 }
@@ -357,7 +359,13 @@ std::uint64_t GpuScene::procedural_bytes() const {
 
 std::uint64_t GpuScene::pyramid_bytes() const {
     std::uint64_t sum = 0;
-    for (const Object& o : objects_) sum += o.pyramid ? o.pyramid_image.bytes() : 0;
+    for (const Object& o : objects_) sum += o.has_pyramid ? o.pyramid_image.bytes() : 0;
+    return sum;
+}
+
+std::uint64_t GpuScene::slab_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Object& o : objects_) sum += o.has_slabs ? o.slab_image.bytes() : 0;
     return sum;
 }
 

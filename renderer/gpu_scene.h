@@ -9,6 +9,7 @@
 #include "renderer/albedo_image.h"
 #include "renderer/features.h"
 #include "renderer/height_pyramid.h"
+#include "renderer/height_slabs.h"
 #include "renderer/micro_scene.h"
 #include "renderer/primitives.h"
 #include "renderer/renderer.h"
@@ -59,6 +60,7 @@ class GpuScene {
     std::uint64_t opacity_bytes() const;
     std::uint64_t albedo_bytes() const;
     std::uint64_t pyramid_bytes() const;
+    std::uint64_t slab_bytes() const;
     std::uint64_t staging_bytes() const { return staging_.bytes(); }  // since the first edit; 0 before
 
   private:
@@ -72,7 +74,8 @@ class GpuScene {
         std::unique_ptr<ProceduralSource> source;  // of procedural heights; then bounds and lookup are not there, and
         vulkan::Buffer inverse;                    // the map is the Gaussianised exemplar
         bool thin_over_lattice = false;            // one of its triangles is (ProceduralSource)
-        vulkan::Image map, opacity, pyramid_image;
+        vulkan::Image map, opacity, pyramid_image, slab_image;
+        bool has_pyramid = false, has_slabs = false;  // else their images are one node that stands in
         AlbedoImage albedo;
         vulkan::SamplerHandle map_sampler, opacity_sampler;
         Wrap wrap = Wrap::repeat;
@@ -82,12 +85,14 @@ class GpuScene {
     void add_object(const SceneObject& object, const HeightView& map, const Features& features,
                     std::vector<gpu::Primitive>& primitives);
     void add_primitives(Object& object, const TexelSpace& texels, std::vector<gpu::Primitive>& primitives);
-    void load_map(Object& object, const HeightView& map, bool pyramid);
+    void load_map(Object& object, const HeightView& map, const Features& features);
     void load_source(Object& object);
-    void load_pyramid(Object& object, const HeightView& map, bool wanted);
+    void load_bounds(Object& object, const HeightView& map);
     void load_opacity(const SceneObject& description, Object& object, bool wanted);
     void upload_texels(Object& object, const HeightView& map, std::span<const TexelRegion> regions);
-    void upload_pyramid(Object& object, const std::vector<HeightPyramid::Nodes>& changed);
+    void upload_bounds(Object& object, const HeightView& map, const std::vector<HeightPyramid::Nodes>& changed);
+    template <typename Texel, typename NodeOf>
+    void upload_nodes(const vulkan::Image& image, const std::vector<HeightPyramid::Nodes>& changed, const NodeOf& node_of);
     // Heights and flags, from the face's range.
     void set_bounds(const Object& object, std::uint32_t face, gpu::Primitive& primitive) const;
     DisplacementRange range_of(const Object& object, std::uint32_t face) const;

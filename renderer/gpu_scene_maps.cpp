@@ -1,4 +1,5 @@
-// A scene's maps as images on the device: heights, their pyramid, opacity. See gpu_scene.h.
+// A scene's maps as images on the device: heights, their bounds, opacity. See gpu_scene.h.
+#include <algorithm>
 #include <cstring>
 
 #include "renderer/gpu_scene.h"
@@ -7,6 +8,7 @@
 namespace relievo {
 namespace {
 
+constexpr int kBand = 512;  // rows that are uploaded at once, so that the staging buffer stays small on large maps
 constexpr VkImageUsageFlags kTexture = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 
 // Copies rows of one region into staging memory, tightly packed.
@@ -32,35 +34,43 @@ VkBufferImageCopy image_copy(const TexelRegion& r, VkDeviceSize offset) {
 
 }  // namespace
 
-void GpuScene::load_map(Object& object, const HeightView& map, bool pyramid) {
+void GpuScene::load_map(Object& object, const HeightView& map, const Features& features) {
     const bool clamp = object.wrap == Wrap::clamp;
     object.map = vulkan::Image(context_, map.width, map.height, VK_FORMAT_R16_UNORM, kTexture);
     object.map_sampler = vulkan::make_sampler(context_, clamp, false);
     commands_.run([&](VkCommandBuffer cmd) {
         object.map.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
-    // In bands, so that the staging buffer stays small on large maps.
-    constexpr int kBand = 1024;
     for (int y = 0; y < map.height; y += kBand) {
         const TexelRegion band{0, y, map.width, std::min(map.height, y + kBand)};
         upload_texels(object, map, std::span(&band, 1));
     }
-    load_pyramid(object, map, pyramid);
+    object.has_slabs = features.slabs && !object.source;
+    object.has_pyramid = features.pyramid && !object.has_slabs;
+    load_bounds(object, map);
 }
 
-void GpuScene::load_pyramid(Object& object, const HeightView& map, bool wanted) {
+void GpuScene::load_bounds(Object& object, const HeightView& map) {
     // One node stands in where no method asks: descriptors need an image.
-    const HeightView none{1, 1, map.texels};
-    object.pyramid = std::make_unique<HeightPyramid>(wanted ? map : none, object.wrap);
+    const HeightView one{1, 1, map.texels};
+    const auto make_image = [&](bool wanted, VkFormat format) {
+        const HeightView& of = wanted ? map : one;
+        int levels = 1;
+        while (levels < gpu::kPyramidLevels && std::max(of.width, of.height) >> levels > 1) ++levels;
+        vulkan::Image image(context_, std::max(1, of.width >> 1), std::max(1, of.height >> 1), format, kTexture, levels);
+        commands_.run([&](VkCommandBuffer cmd) {
+            image.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        });
+        return image;
+    };
+    object.pyramid_image = make_image(object.has_pyramid, VK_FORMAT_R16G16_UNORM);
+    object.slab_image = make_image(object.has_slabs, VK_FORMAT_R16G16B16A16_SINT);
+    if (!object.has_pyramid && !object.has_slabs) return;
+    object.pyramid = std::make_unique<HeightPyramid>(map, object.wrap);
     const HeightPyramid& pyramid = *object.pyramid;
-    object.pyramid_image = vulkan::Image(context_, pyramid.width(1), pyramid.height(1), VK_FORMAT_R16G16_UNORM, kTexture,
-                                         pyramid.levels());
-    commands_.run([&](VkCommandBuffer cmd) {
-        object.pyramid_image.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-    });
     for (int level = 1; level <= pyramid.levels(); ++level)
-        upload_pyramid(object, {{level, 0, 0, pyramid.width(level), pyramid.height(level)}});
-    if (!wanted) object.pyramid.reset();
+        for (int y = 0; y < pyramid.height(level); y += kBand)
+            upload_bounds(object, map, {{level, 0, y, pyramid.width(level), std::min(pyramid.height(level), y + kBand)}});
 }
 
 void GpuScene::load_opacity(const SceneObject& description, Object& object, bool wanted) {
@@ -82,22 +92,37 @@ void GpuScene::load_opacity(const SceneObject& description, Object& object, bool
     });
 }
 
-// The changed nodes, level by level, into the mips of the pyramid's image.
-void GpuScene::upload_pyramid(Object& object, const std::vector<HeightPyramid::Nodes>& changed) {
-    std::vector<VkBufferImageCopy> copies;
-    std::vector<HeightPyramid::Node> nodes;
-    for (const HeightPyramid::Nodes& n : changed) {
-        copies.push_back(image_copy({n.x0, n.y0, n.x1, n.y1}, nodes.size() * sizeof(HeightPyramid::Node)));
-        copies.back().imageSubresource.mipLevel = static_cast<std::uint32_t>(n.level - 1);
-        for (int y = n.y0; y < n.y1; ++y)
-            for (int x = n.x0; x < n.x1; ++x) nodes.push_back(object.pyramid->overlapping(n.level, x, y));
+void GpuScene::upload_bounds(Object& object, const HeightView& map, const std::vector<HeightPyramid::Nodes>& changed) {
+    const HeightPyramid& pyramid = *object.pyramid;
+    if (object.has_slabs) {
+        upload_nodes<PackedSlab>(object.slab_image, changed, [&](int level, int x, int y) {
+            return height_slab(map, pyramid, level, x, y);
+        });
+    } else {
+        upload_nodes<HeightPyramid::Node>(object.pyramid_image, changed, [&](int level, int x, int y) {
+            return pyramid.overlapping(level, x, y);
+        });
     }
-    const std::size_t bytes = nodes.size() * sizeof(HeightPyramid::Node);
-    if (staging_.bytes() < bytes)
-        staging_ = vulkan::Buffer(context_, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Access::host);
-    std::memcpy(staging_.mapped(), nodes.data(), bytes);
+}
+
+// The changed nodes, level by level, into the image's mips.
+template <typename Texel, typename NodeOf>
+void GpuScene::upload_nodes(const vulkan::Image& image, const std::vector<HeightPyramid::Nodes>& changed,
+                            const NodeOf& node_of) {
+    std::vector<VkBufferImageCopy> copies;
+    std::size_t count = 0;
+    for (const HeightPyramid::Nodes& n : changed) {
+        copies.push_back(image_copy({n.x0, n.y0, n.x1, n.y1}, count * sizeof(Texel)));
+        copies.back().imageSubresource.mipLevel = static_cast<std::uint32_t>(n.level - 1);
+        count += static_cast<std::size_t>(n.x1 - n.x0) * static_cast<std::size_t>(n.y1 - n.y0);
+    }
+    if (staging_.bytes() < count * sizeof(Texel))
+        staging_ = vulkan::Buffer(context_, count * sizeof(Texel), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Access::host);
+    auto* to = staging_.as<Texel>();
+    for (const HeightPyramid::Nodes& n : changed)
+        for (int y = n.y0; y < n.y1; ++y)
+            for (int x = n.x0; x < n.x1; ++x) *to++ = node_of(n.level, x, y);
     commands_.run([&](VkCommandBuffer cmd) {
-        const vulkan::Image& image = object.pyramid_image;
         image.transition(cmd, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
         vkCmdCopyBufferToImage(cmd, staging_.get(), image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                static_cast<std::uint32_t>(copies.size()), copies.data());

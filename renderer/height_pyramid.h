@@ -33,7 +33,10 @@ class HeightPyramid {
     // nodes that may have changed: equal to a full rebuild.
     std::vector<Nodes> update(const HeightView& map, const TexelRegion& region);
 
+    Wrap wrap() const { return wrap_; }
     Node overlapping(int level, int x, int y) const;
+    // Over the node's own cells alone: [x 2^level, (x + 1) 2^level), and what is left over in the last one.
+    const Node& plain(int level, int x, int y) const;
 
   private:
     struct Level {
@@ -45,7 +48,6 @@ class HeightPyramid {
     };
     static std::size_t index(int level) { return static_cast<std::size_t>(level - 1); }
     Node& plain(int level, int x, int y);
-    const Node& plain(int level, int x, int y) const;
     Node reduce_texels(const HeightView& map, int x, int y) const;
     Node reduce_nodes(int level, int x, int y) const;
     std::vector<Span> split(Span span, int size) const;

@@ -175,6 +175,7 @@ void Renderer::State::count_bytes() {
         if (f.name == "displacement maps") f.bytes = gpu_scene->map_bytes();
         if (f.name == "procedural heights" && f.built) f.bytes = gpu_scene->procedural_bytes();
         if (f.name == "min-max pyramid") f.bytes = gpu_scene->pyramid_bytes();
+        if (f.name == "bounds about planes") f.bytes = gpu_scene->slab_bytes();
         if (f.name == "opacity maps" && f.built) f.bytes = gpu_scene->opacity_bytes();
         if (f.name == "albedo maps" && f.built) f.bytes = gpu_scene->albedo_bytes();
         if (f.name == "image") f.bytes = film.image_bytes();

@@ -202,8 +202,9 @@ RELIEVO_CONST uint kBindRayCounts = 14u;  // uvec4 a pixel: boxes, steps, fetche
 RELIEVO_CONST uint kBindNotes = 15u;      // of one ray: their number, then the notes
 RELIEVO_CONST uint kBindProcedural = 16u;  // ProceduralData, one an object
 RELIEVO_CONST uint kBindAlbedo = 17u;      // combined image samplers, one an object
-RELIEVO_CONST uint kBindCount = 18u;
-RELIEVO_CONST int kPyramidLevels = 7;    // levels 1..7 of the pyramid are the image's mips 0..6
+RELIEVO_CONST uint kBindSlabs = 18u;       // bounds of the maps about planes (renderer/height_slabs.h)
+RELIEVO_CONST uint kBindCount = 19u;
+RELIEVO_CONST int kPyramidLevels = 7;    // levels 1..7 of the pyramid, and of the slabs, are the image's mips 0..6
 
 // Specialisation constants: what features.cpp derived.
 RELIEVO_CONST uint kSpecObjects = 0u;   // number of objects; 1 spares the indexing of textures

@@ -115,7 +115,7 @@ void MapDialogs::draw_new(Desk& desk) {
     side_row("Width", fresh_.width);
     side_row("Height", fresh_.height);
     name_row(fresh_.format);
-    const MapMemory need = estimate_memory({fresh_.width, fresh_.height, 4, fresh_.format}, true, true);
+    const MapMemory need = estimate_memory({fresh_.width, fresh_.height, 4, fresh_.format}, true, MapBounds::planes);
     text_row("Memory", bytes_text(need.editing + need.device) + " while it is edited, of " +
                            bytes_text(available_memory()) + " available");
     note(trouble_);

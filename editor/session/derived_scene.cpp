@@ -128,7 +128,7 @@ fs::path scene_with_new_map(const fs::path& scene, const NewMap& map) {
         throw std::invalid_argument("map '" + map.path.string() + "': a side must be in [1, " +
                                     std::to_string(HeightMap::kMaxSize) + "] texels");
     const MapInfo info{map.width, map.height, 4, map.format};
-    require_memory(map.path, info, estimate_memory(info, true, true), available_memory());
+    require_memory(map.path, info, estimate_memory(info, true, MapBounds::planes), available_memory());
     const auto flat = static_cast<std::uint16_t>(std::lround(displacement.midlevel * 65535));
     save_map(HeightMap(map.width, map.height, flat), map.path, map.format,
              {displacement.range_low, displacement.range_high});

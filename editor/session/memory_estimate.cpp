@@ -20,7 +20,14 @@ constexpr std::uint64_t kWithoutLimit = std::numeric_limits<std::uint64_t>::max(
 
 // Bytes a texel beside the texel itself.
 constexpr double kSurfaceTables = 0.25;  // which texels are owned, height bounds
-constexpr double kPyramid = 3;  // overlapping bounds of levels 1 to 7, on the device and while they are made
+// Overlapping bounds of levels 1 to 7, on the device and what they are made from.
+double bytes_of(MapBounds bounds) {
+    switch (bounds) {
+        case MapBounds::heights: return 3;
+        case MapBounds::planes: return 4.25;
+        default: return 0;
+    }
+}
 
 // "Key:   12345 kB" of a /proc file, in bytes.
 std::uint64_t proc_value(const char* file, const std::string& key) {
@@ -45,7 +52,7 @@ std::uint64_t rest(std::uint64_t limit, std::uint64_t used) {
 
 }  // namespace
 
-MapMemory estimate_memory(const MapInfo& map, bool with_renderer, bool with_pyramid) {
+MapMemory estimate_memory(const MapInfo& map, bool with_renderer, MapBounds bounds) {
     const double texels = static_cast<double>(map.width) * map.height;
     const double file = texels * map.bytes_per_texel;
     const bool file_kept = map.bytes_per_texel > 2 || map.format == MapFormat::exr_half;
@@ -55,7 +62,7 @@ MapMemory estimate_memory(const MapInfo& map, bool with_renderer, bool with_pyra
     need.passing = static_cast<std::uint64_t>(file);
     if (with_renderer)
         need.device =
-            static_cast<std::uint64_t>(texels * (sizeof(std::uint16_t) + (with_pyramid ? kPyramid : 0)));
+            static_cast<std::uint64_t>(texels * (sizeof(std::uint16_t) + bytes_of(bounds)));
     return need;
 }
 

@@ -7,6 +7,7 @@
 
 #include "brushes/colour_file.h"
 #include "brushes/map_file.h"
+#include "renderer/methods/registry.h"
 
 namespace relievo {
 
@@ -15,9 +16,9 @@ namespace relievo {
 struct MapMemory {
     std::uint64_t editing = 0;  // texels, what of the file is kept for saving, texel tables of the surface
     std::uint64_t passing = 0;  // while the file is read or written
-    std::uint64_t device = 0;   // image, and the min-max pyramid where the method bounds heights
+    std::uint64_t device = 0;   // image, and the bounds of its heights where the method wants them
 };
-MapMemory estimate_memory(const MapInfo& map, bool with_renderer, bool with_pyramid);
+MapMemory estimate_memory(const MapInfo& map, bool with_renderer, MapBounds bounds);
 
 // The same of a colour map.
 MapMemory estimate_colour_memory(const ColourInfo& colours, bool with_renderer);

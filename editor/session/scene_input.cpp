@@ -46,8 +46,8 @@ LoadedMap open_map(const Displacement& displacement, const std::filesystem::path
     const MapRange range{displacement.range_low, displacement.range_high};
     const MapInfo fresh{displacement.map_size, displacement.map_size, sizeof(std::uint16_t), MapFormat::tiff16};
     const MapInfo info = file.empty() ? fresh : map_info(file);
-    const bool pyramid = renderer != nullptr && find_method(renderer->name).needs_pyramid;
-    require_memory(file.empty() ? "new map" : file, info, estimate_memory(info, renderer != nullptr, pyramid),
+    const MapBounds bounds = renderer != nullptr ? find_method(renderer->name).map_bounds : MapBounds::none;
+    require_memory(file.empty() ? "new map" : file, info, estimate_memory(info, renderer != nullptr, bounds),
                    available_memory());
     if (!file.empty()) return load_map(file, range);
     const auto flat = static_cast<std::uint16_t>(std::lround(displacement.midlevel * 65535));

@@ -28,7 +28,7 @@ const Method kMarch{
     "16384 steps a "
     "prism.",
     GeometryKind::surface_bounds,
-    false,
+    MapBounds::none,
     kParameters,
     16385,
 };

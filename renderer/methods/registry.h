@@ -31,10 +31,17 @@ enum class GeometryKind {
                 // RELIEVO_TRIANGLES (shaders/trace/triangles.glsl); our own tree holds boxes around them
 };
 
+// What bounds the map's heights over its cells.
+enum class MapBounds {
+    none,
+    heights,  // the least and the greatest (renderer/height_pyramid.h)
+    planes,   // the same of the height over a plane (renderer/height_slabs.h); heights of an exemplar as above
+};
+
 struct Method {
     std::string_view name, title, paper, limits;
     GeometryKind geometry;
-    bool needs_pyramid;  // min-max pyramid of the map
+    MapBounds map_bounds;
     std::span<const MethodParameter> parameters;  // at most 8, passed to the shader in this order
     std::uint32_t most_steps = 0;  // that a ray takes in one triangle (Layer::counts), whatever the ray
 };

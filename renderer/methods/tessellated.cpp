@@ -34,7 +34,7 @@ const Method kTessellated{
     "of them are built again when density, mesh or source change. An edit moves the touched ones and refits the "
     "tree.",
     GeometryKind::triangles,
-    false,
+    MapBounds::none,
     kParameters,
     1,
 };

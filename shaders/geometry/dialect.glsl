@@ -19,4 +19,12 @@ struct SurfaceHit {
     float t;  // ray parameter
     vec2 b;   // barycentrics of vertices 1 and 2
 };
+
+// Bounds of a map's heights about a plane over the texels asked for, which begin with the cell `from`:
+// height - dot(slope, texel - from - middle) lies within `bounds`.
+struct HeightSlab {
+    vec2 bounds;
+    vec2 slope;   // per texel
+    vec2 middle;  // texels, from `from`
+};
 #endif

@@ -20,6 +20,7 @@ layout(set = 0, binding = kBindObjects, scalar) readonly buffer ObjectBlock { Ob
 layout(set = 0, binding = kBindMaps) uniform sampler2D maps[kObjects];
 layout(set = 0, binding = kBindOpacity) uniform sampler2D opacity_maps[kObjects];
 layout(set = 0, binding = kBindPyramids) uniform sampler2D pyramids[kObjects];
+layout(set = 0, binding = kBindSlabs) uniform isampler2D slabs[kObjects];
 layout(set = 0, binding = kBindProcedural, scalar) readonly buffer ProceduralBlock { ProceduralData procedural_sources[]; };
 layout(set = 0, binding = kBindAlbedo) uniform sampler2D albedo_maps[kObjects];
 layout(push_constant, scalar) uniform PushBlock { PushData push; };
@@ -45,10 +46,17 @@ vec4 map_quad(uint object, vec2 cell) {
     return vec4(g.w, g.z, g.x, g.y);
 }
 
-// The pyramid's node at `level` over the cell, which lies inside the map.
+// Of a pyramid over the map, which may have fewer levels than are asked for.
+int level_of_map(ivec2 map_size, int level) { return min(level, max(findMSB(max(map_size.x, map_size.y)), 1)); }
+
+// The level's node over the cell, which lies inside the map.
+ivec2 node_of_cell(ivec2 map_size, int level, ivec2 cell) {
+    return min(cell >> level, max(map_size >> level, ivec2(1)) - 1);
+}
+
 vec2 pyramid_node(uint object, ivec2 map_size, int level, ivec2 cell) {
-    level = min(level, max(findMSB(max(map_size.x, map_size.y)), 1));
-    ivec2 node = min(cell >> level, max(map_size >> level, ivec2(1)) - 1);
+    level = level_of_map(map_size, level);
+    ivec2 node = node_of_cell(map_size, level, cell);
     if (kObjects == 1u) return texelFetch(pyramids[0], node, level - 1).rg;
     return texelFetch(pyramids[nonuniformEXT(object)], node, level - 1).rg;
 }
@@ -64,6 +72,13 @@ vec4 height_quad(uint object, vec2 cell) {
     return map_quad(object, cell);
 }
 
+// Where the cell lies in the map's first period; on its border where it lies beyond under clamp.
+ivec2 cell_in_map(ObjectData ob, vec2 cell) {
+    vec2 size = vec2(ob.map_size);
+    if (ob.clamp_wrap == 0u) cell -= size * floor((cell + 0.5) / size);
+    return whole(clamp(cell, vec2(0.0), size - 1.0));
+}
+
 // Least and greatest height over the cells (between texel centres) from `cell` on, 2^level + 1 a side; over a map, over the
 // two by two nodes of 2^level cells a side beginning with the node that holds `cell`. Levels 1 to kPyramidLevels; a small
 // map's own last level, one node, holds all of it.
@@ -71,9 +86,32 @@ vec2 map_bounds(uint object, int level, vec2 cell) {
     count_fetch();
     if (is_procedural(object)) return procedural_bounds(object, signed_whole(cell), ivec2((1 << level) + 1));
     ObjectData ob = object_data(object);
-    vec2 size = vec2(ob.map_size);
-    if (ob.clamp_wrap == 0u) cell -= size * floor((cell + 0.5) / size);
-    return pyramid_node(object, ob.map_size, level, whole(clamp(cell, vec2(0.0), size - 1.0)));
+    return pyramid_node(object, ob.map_size, level, cell_in_map(ob, cell));
+}
+
+// The same of heights about a plane.
+HeightSlab height_slab(uint object, int level, vec2 cell) {
+    HeightSlab slab;
+    slab.middle = slab.slope = vec2(0.0);
+    if (is_procedural(object)) {
+        slab.bounds = map_bounds(object, level, cell);
+        return slab;
+    }
+    count_fetch();
+    ObjectData ob = object_data(object);
+    ivec2 inside = cell_in_map(ob, cell);
+    level = level_of_map(ob.map_size, level);
+    ivec2 node = node_of_cell(ob.map_size, level, inside);
+    vec4 packed;
+    if (kObjects == 1u) {
+        packed = vec4(texelFetch(slabs[0], node, level - 1));
+    } else {
+        packed = vec4(texelFetch(slabs[nonuniformEXT(object)], node, level - 1));
+    }
+    slab.bounds = (packed.xy + 32768.0) * (1.0 / 65535.0);
+    slab.slope = packed.zw * (power_of_two(-level) * (1.0 / 65535.0));
+    slab.middle = vec2(((node + 1) << level) - inside);
+    return slab;
 }
 
 #include "../geometry/height.glsl"

@@ -330,7 +330,7 @@ TEST_F(Program, ExplainAnswersInJson) {
     for (const auto& feature : answer["features"]) {
         EXPECT_FALSE(feature["reason"].empty()) << feature["name"];
         sum += feature["bytes"].get<std::uint64_t>();
-        EXPECT_TRUE(feature["name"] != "min-max pyramid" || feature["built"]);
+        EXPECT_TRUE(feature["name"] != "bounds about planes" || feature["built"]);
     }
     EXPECT_EQ(answer["bytes_total"], sum);
     expect_refused({"explain", scene_, "--method", "reference"}, "there is no method 'reference'");

@@ -23,10 +23,12 @@ std::set<std::string> built_by(const Scene& scene, const Method& method) {
     return built;
 }
 
-// What a method's description asks for.
-std::set<std::string> needs_of(const Method& method) {
+// What a method's description asks for, over heights of an exemplar or over a map's.
+std::set<std::string> needs_of(const Method& method, bool procedural) {
     std::set<std::string> needs;
-    if (method.needs_pyramid) needs.insert("min-max pyramid");
+    if (method.map_bounds == MapBounds::heights || (method.map_bounds == MapBounds::planes && procedural))
+        needs.insert("min-max pyramid");
+    if (method.map_bounds == MapBounds::planes && !procedural) needs.insert("bounds about planes");
     if (method.geometry == GeometryKind::surface_bounds) needs.insert("surface bounds");
     if (method.geometry == GeometryKind::triangles) needs.insert("micro-triangles");
     for (const MethodParameter& p : method.parameters) {
@@ -68,20 +70,23 @@ TEST(Features, SampleScenesBuildWhatTheyNeed) {
         {"procedural_plane", {"procedural heights"}}, {"procedural_sphere", {"procedural heights"}}};
     const std::map<std::string, std::set<std::string>> by_method{
         {"pdm", {"thin-feature jitter", "normal correction"}},
-        {"exact", {"min-max pyramid", "surface bounds", "normal correction"}}};
+        {"exact", {"bounds about planes", "surface bounds", "normal correction"}}};
     for (const auto& [name, scene_needs] : by_scene) {
         const Scene scene = load_scene(std::string(RELIEVO_SAMPLE_SCENES) + "/" + name + ".json");
-        for (const auto& [method, method_needs] : by_method) {
+        const bool procedural = scene_needs.contains("procedural heights");
+        for (const auto& [method, needs_over_map] : by_method) {
+            std::set<std::string> method_needs = needs_over_map;
+            if (procedural && method_needs.erase("bounds about planes") > 0) method_needs.insert("min-max pyramid");
             std::set<std::string> expected = usual;
             expected.insert(scene_needs.begin(), scene_needs.end());
             expected.insert(method_needs.begin(), method_needs.end());
             EXPECT_EQ(built_by(scene, find_method(method)), expected) << name << " by " << method;
-            EXPECT_EQ(method_needs, needs_of(find_method(method))) << method;
+            EXPECT_EQ(method_needs, needs_of(find_method(method), procedural)) << method;
         }
         for (const Method* method : methods()) {  // also those that the table does not name
             std::set<std::string> expected = usual;
             expected.insert(scene_needs.begin(), scene_needs.end());
-            expected.merge(needs_of(*method));
+            expected.merge(needs_of(*method, procedural));
             EXPECT_EQ(built_by(scene, *method), expected) << name << " by " << method->name;
         }
     }

@@ -59,7 +59,8 @@ TEST_P(SampleScenes, BytesAreThoseOfWhatIsBuilt) {
         EXPECT_GE(features["displacement maps"].bytes, 2 * texels);
         EXPECT_GT(features["base mesh prisms"].bytes, 100 * sample.scene.objects[0].mesh.faces.size());
         EXPECT_GE(features["image"].bytes, 24u * kSize * kSize);
-        EXPECT_EQ(features["min-max pyramid"].bytes > 0, method->needs_pyramid);
+        for (const char* bounds : {"min-max pyramid", "bounds about planes"})
+            EXPECT_EQ(features[bounds].bytes > 0, features[bounds].built) << bounds;
         EXPECT_EQ(features["opacity maps"].bytes > 0, features["opacity maps"].built);
         const char* const late[] = {"layers", "counters", "picking", "ray log", "upload staging"};
         for (const char* name : late) EXPECT_FALSE(features[name].built) << name;

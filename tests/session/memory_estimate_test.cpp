@@ -16,18 +16,18 @@ using test::TemporaryFolder;
 constexpr std::uint64_t kGiga = 1'000'000'000;
 
 TEST(MemoryEstimate, TheLargestMapTakesSomeGigabytesAndTheSmallestNothing) {
-    const MapMemory largest = estimate_memory({16384, 16384, 2, MapFormat::png16}, true, true);
+    const MapMemory largest = estimate_memory({16384, 16384, 2, MapFormat::png16}, true, MapBounds::planes);
     const std::uint64_t total = largest.editing + largest.passing + largest.device;
     EXPECT_GT(total, 2 * kGiga);
     EXPECT_LT(total, 4 * kGiga);
-    const MapMemory least = estimate_memory({1, 1, 2, MapFormat::png16}, true, true);
+    const MapMemory least = estimate_memory({1, 1, 2, MapFormat::png16}, true, MapBounds::planes);
     EXPECT_LT(least.editing + least.passing + least.device, 100u);
 }
 
 TEST(MemoryEstimate, WhatIsKeptOfAFileCounts) {
-    const std::uint64_t grey = estimate_memory({1024, 1024, 2, MapFormat::png16}, false, false).editing;
-    EXPECT_GT(estimate_memory({1024, 1024, 8, MapFormat::png16}, false, false).editing, grey + 8'000'000);
-    EXPECT_GT(estimate_memory({1024, 1024, 2, MapFormat::exr_half}, false, false).editing, grey + 2'000'000);
+    const std::uint64_t grey = estimate_memory({1024, 1024, 2, MapFormat::png16}, false, MapBounds::none).editing;
+    EXPECT_GT(estimate_memory({1024, 1024, 8, MapFormat::png16}, false, MapBounds::none).editing, grey + 8'000'000);
+    EXPECT_GT(estimate_memory({1024, 1024, 2, MapFormat::exr_half}, false, MapBounds::none).editing, grey + 2'000'000);
 }
 
 TEST(MemoryEstimate, ColoursTakeThreePlanesAndFourChannelsOnTheDevice) {
@@ -41,7 +41,7 @@ TEST(MemoryEstimate, ColoursTakeThreePlanesAndFourChannelsOnTheDevice) {
 
 TEST(MemoryEstimate, RefusalNamesMapSizeAndBothAmounts) {
     const MapInfo info{8192, 4096, 2, MapFormat::tiff16};
-    const MapMemory need = estimate_memory(info, true, true);
+    const MapMemory need = estimate_memory(info, true, MapBounds::planes);
     EXPECT_NO_THROW(require_memory("hills.tif", info, need, need.editing + need.passing + need.device));
     try {
         require_memory("hills.tif", info, need, 1'000'000);

@@ -12,6 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include "renderer/height_pyramid.h"
+#include "renderer/height_slabs.h"
 #include "renderer/primitives.h"
 #include "shaders/shared.h"
 #include "tests/support/scenes.h"
@@ -88,15 +89,21 @@ inline vec4 height_quad(uint, vec2 cell) {
     return {texel_value(x, y), texel_value(x + 1, y), texel_value(x, y + 1), texel_value(x + 1, y + 1)};
 }
 
-inline vec2 map_bounds(uint, int level, vec2 cell) {
+// The cell's place in the map, and the node over it.
+struct NodeOfCell {
+    glm::ivec2 cell, node;
+};
+inline NodeOfCell node_of_cell(int level, vec2 cell) {
     const HeightPyramid& pyramid = *subject.pyramid;
-    level = std::min(level, pyramid.levels());
-    const auto node = [&](float at, int size, int nodes) {
-        return std::min(wrapped(static_cast<int>(std::floor(at)), size) >> level, nodes - 1);
-    };
-    const HeightPyramid::Node bounds =
-        pyramid.overlapping(level, node(cell.x, subject.map->width, pyramid.width(level)),
-                            node(cell.y, subject.map->height, pyramid.height(level)));
+    const glm::ivec2 at(wrapped(static_cast<int>(std::floor(cell.x)), subject.map->width),
+                        wrapped(static_cast<int>(std::floor(cell.y)), subject.map->height));
+    return {at, {std::min(at.x >> level, pyramid.width(level) - 1), std::min(at.y >> level, pyramid.height(level) - 1)}};
+}
+
+inline vec2 map_bounds(uint, int level, vec2 cell) {
+    level = std::min(level, subject.pyramid->levels());
+    const glm::ivec2 node = node_of_cell(level, cell).node;
+    const HeightPyramid::Node bounds = subject.pyramid->overlapping(level, node.x, node.y);
     return vec2(bounds.low, bounds.high) / 65535.0f;
 }
 
@@ -110,6 +117,19 @@ inline vec2 map_bounds(uint, int level, vec2 cell) {
 #include "shaders/geometry/shell.glsl"
 #include "shaders/geometry/edges.glsl"
 // clang-format on
+
+inline HeightSlab height_slab(uint, int level, vec2 cell) {
+    level = std::min(level, subject.pyramid->levels());
+    const NodeOfCell at = node_of_cell(level, cell);
+    const test::TestMap& map = *subject.map;
+    const relievo::PackedSlab packed =
+        relievo::height_slab({map.width, map.height, map.texels.data()}, *subject.pyramid, level, at.node.x, at.node.y);
+    HeightSlab slab;
+    slab.bounds = (vec2(packed.low, packed.high) + 32768.0f) * (1.0f / 65535.0f);
+    slab.slope = vec2(packed.rise_x, packed.rise_y) * (power_of_two(-level) * (1.0f / 65535.0f));
+    slab.middle = vec2((at.node.x + 1) << level, (at.node.y + 1) << level) - vec2(at.cell);
+    return slab;
+}
 
 inline bool opaque_at(Primitive, vec2) {
     return true;

@@ -1,13 +1,14 @@
 // Exact intersection with the canonical surface (ours; DESIGN.md section 4).
 //
-// The ray's path through the triangle's shell (geometry/shell.glsl) is cut into chords, each as long as its bend allows:
-// beside the chord the path stays within a part of a texel, its height is a quadratic of its own. A chord is walked by
-// stretches of at most 2^level texels; one that stays above (or below) the bounds of the cells under it is skipped, from a
-// min-max pyramid whose nodes overlap: one fetch bounds the two by two nodes that such a stretch can touch. Where nothing
+// The ray's path through the triangle's shell (geometry/shell.glsl) is cut into chords, each as long as its bend
+// allows: beside the chord the path stays within a part of a texel, its height is a quadratic of its own. A chord is
+// walked by stretches of at most 2^level texels; one that stays above (or below) the bounds of the cells under it is
+// skipped, and of another what comes before it enters them. The bounds lie about planes, in a pyramid whose nodes
+// overlap (renderer/height_slabs.h): one fetch bounds the two by two nodes that such a stretch can touch. Where nothing
 // can be skipped the cells are walked one by one; over a cell the height along the chord is a quadratic, solved, then
-// polished by Newton on S itself. Based on quadtree displacement mapping (Drobot 2009) and tessellation-free displacement
-// (Thonat and others 2021); the path, the overlap and the polish are ours. Triangles whose shell folds are searched by
-// patches instead (patch_search.glsl).
+// polished by Newton on S itself. Based on quadtree displacement mapping (Drobot 2009) and tessellation-free
+// displacement (Thonat and others 2021); the path, the overlap, the planes and the polish are ours. Triangles whose
+// shell folds are searched by patches instead (patch_search.glsl).
 //
 // What side of the surface the ray is on is carried along: a cell that starts on the other side has been crossed. A ray
 // that passes the surface more closely than the chord is true, or whose root leaves its cell when polished, is walked again
@@ -60,6 +61,9 @@ struct Walk {
 FUNC bool in_triangle(vec2 b, vec3 margin) {
     return b.x >= -margin.y && b.y >= -margin.z && 1.0f - b.x - b.y >= -margin.x;
 }
+
+// Least level, from 1, whose squares are as wide as so many texels.
+FUNC int level_over(float texels) { return ((floatBitsToInt(max(texels, 2.0f)) + 0x7fffff) >> 23) - 127; }
 
 #include "patch_search.glsl"
 
@@ -147,6 +151,9 @@ FUNC void start_chord(Primitive p, Shell shell, PrismRay r, float most_error, fl
     c.tx = a.tx;
     w.c = c;
     w.longest = 2.0f * span;
+    // Towards the surface the first bounds to be asked for are those of half the chord.
+    vec2 rate = max(abs(c.d1), abs(c.d1 + c.d2 * 2.0f));
+    if (w.side * c.h.y < 0.0f) w.level = min(level_over(0.5f * max(rate.x, rate.y)), kPyramidLevels);
 }
 
 FUNC float height_on(Chord c, float s) { return c.h.x + s * (c.h.y + s * c.h.z); }
@@ -160,25 +167,36 @@ FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INO
     vec2 base = primitive_base(p);
     vec2 rate = max(abs(c.d1), abs(c.d1 + c.d2 * 2.0f));
     float texels = max(max(rate.x, rate.y), 1e-20f);
-    bool found = false;
+    bool found = false, failed = false;
     do {
         float s = w.s;
         to = min(s + 0.9f * power_of_two(w.level) / texels, 1.0f);
         vec2 x0 = texel_on(c, s), x1 = texel_on(c, to);
         float part = 0.25f * (to - s) * (to - s);  // a quadratic's square coefficient bends it by this part of itself
         vec2 low = min(x0, x1) - abs(c.d2) * part - vec2(c.bend + 1e-3f);
-        float h0 = height_on(c, s), h1 = height_on(c, to), sag = abs(c.h.z) * part + c.error;
+        float h0 = height_on(c, s), h1 = height_on(c, to);
         note(kNoteStep, r.t0 + c.tau + c.span * s, x0, h0, (to - s) * texels);
-        vec2 bounds = map_bounds(p.object, w.level, base + floor(low));
-        float d0 = displacement(ob, bounds.x), d1 = displacement(ob, bounds.y);
-        bool above = min(h0, h1) - sag > max(d0, d1) + tolerance, below = max(h0, h1) + sag < min(d0, d1) - tolerance;
+        // All heights from here on are over the slab's plane.
+        vec2 cell = floor(low);
+        HeightSlab slab = height_slab(p.object, w.level, base + cell);
+        vec2 slope = slab.slope * ob.amplitude, middle = cell + slab.middle;
+        h0 -= dot(slope, x0 - middle);
+        h1 -= dot(slope, x1 - middle);
+        float sag = abs(c.h.z - dot(slope, c.d2)) * part + (abs(slope.x) + abs(slope.y)) * c.bend + c.error;
+        float d0 = displacement(ob, slab.bounds.x), d1 = displacement(ob, slab.bounds.y);
+        float top = max(d0, d1) + tolerance + sag, bottom = min(d0, d1) - tolerance - sag;
+        bool above = min(h0, h1) > top, below = max(h0, h1) < bottom;
         bool passes = (above && w.side >= 0.0f) || (below && w.side <= 0.0f);
+        // Else the ray may come between the bounds on its way: up to there it passes.
+        bool falls = h0 > h1;
+        float outside = falls ? h0 - top : bottom - h0;
+        bool enters = outside > 0.0f && (falls ? w.side >= 0.0f : w.side <= 0.0f);
+        w.s = passes ? to : s + (enters ? outside * (to - s) / abs(h0 - h1) : 0.0f);
+        w.side = passes ? (above ? 1.0f : -1.0f) : enters ? (falls ? 1.0f : -1.0f) : w.side;
         found = !passes && w.level <= 1;
-        if (passes) {
-            w.side = above ? 1.0f : -1.0f;
-            w.s = to;
-        }
-        w.level = clamp(w.level + (passes ? 1 : -1), 1, kPyramidLevels);
+        // Half of a stretch that did not pass is more likely the one that does not.
+        w.level = clamp(w.level + (passes ? (failed ? 0 : 1) : -1), 1, kPyramidLevels);
+        failed = !passes;
         w.stretches += found ? 0 : 1;
     } while (!found && w.stretches < kMaxStretches && w.s < 1.0f);
     return found;

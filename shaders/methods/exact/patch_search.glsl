@@ -13,6 +13,7 @@ const int kPatchDepth = 15;
 const float kPatchTexels = 1.0f;     // of a patch that is solved
 const float kLeastLength = 1e-3f;    // of N: below, it is taken to point anywhere
 const float kTurnOfRounding = 4e-7f; // what rounding moves N by, at most
+const float kSlabRounding = 1e-6f;   // of heights about a plane, of the map's range
 const int kPatchSteps = 8;           // of Newton
 const float kLeastPatch = 1e-4f;     // size of a patch that is not divided, of the greatest displacement
 const float kAlone = 0.7f;           // below 1: how far the Jacobian may vary, over itself, where one root stands alone
@@ -80,8 +81,12 @@ FUNC vec2 patch_displacement(Primitive p, ObjectData ob, vec2 low, vec2 high) {
               v3 = bilinear(quad, f1);
         values = vec2(min(min(v0, v1), min(v2, v3)), max(max(v0, v1), max(v2, v3)));
     } else {
-        int level = most <= 2.0f ? 1 : int(ceil(log2(most)));
-        values = map_bounds(p.object, level, base + floor(low - vec2(1e-3f)));
+        vec2 from = floor(low - vec2(1e-3f));
+        HeightSlab slab = height_slab(p.object, level_over(most), base + from);
+        vec2 middle = from + slab.middle;
+        vec2 a = slab.slope * (low - middle - vec2(1e-3f)), b = slab.slope * (high - middle + vec2(1e-3f));
+        vec2 least = min(a, b), greatest = max(a, b);
+        values = slab.bounds + vec2(least.x + least.y - kSlabRounding, greatest.x + greatest.y + kSlabRounding);
     }
     float d0 = displacement(ob, values.x), d1 = displacement(ob, values.y);
     return vec2(max(min(d0, d1), p.w_low), min(max(d0, d1), p.w_high));
