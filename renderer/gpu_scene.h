@@ -76,6 +76,7 @@ class GpuScene {
         bool thin_over_lattice = false;            // one of its triangles is (ProceduralSource)
         vulkan::Image map, opacity, pyramid_image, slab_image;
         bool has_pyramid = false, has_slabs = false;  // else their images are one node that stands in
+        int slabs_left_out = 0;                       // finest levels
         AlbedoImage albedo;
         vulkan::SamplerHandle map_sampler, opacity_sampler;
         Wrap wrap = Wrap::repeat;
@@ -92,7 +93,8 @@ class GpuScene {
     void upload_texels(Object& object, const HeightView& map, std::span<const TexelRegion> regions);
     void upload_bounds(Object& object, const HeightView& map, const std::vector<HeightPyramid::Nodes>& changed);
     template <typename Texel, typename NodeOf>
-    void upload_nodes(const vulkan::Image& image, const std::vector<HeightPyramid::Nodes>& changed, const NodeOf& node_of);
+    void upload_nodes(const vulkan::Image& image, int first_level, std::vector<HeightPyramid::Nodes> changed,
+                      const NodeOf& node_of);
     // Heights and flags, from the face's range.
     void set_bounds(const Object& object, std::uint32_t face, gpu::Primitive& primitive) const;
     DisplacementRange range_of(const Object& object, std::uint32_t face) const;

@@ -53,24 +53,28 @@ void GpuScene::load_map(Object& object, const HeightView& map, const Features& f
 void GpuScene::load_bounds(Object& object, const HeightView& map) {
     // One node stands in where no method asks: descriptors need an image.
     const HeightView one{1, 1, map.texels};
-    const auto make_image = [&](bool wanted, VkFormat format) {
+    const auto make_image = [&](bool wanted, int first_level, VkFormat format) {
         const HeightView& of = wanted ? map : one;
-        int levels = 1;
-        while (levels < gpu::kPyramidLevels && std::max(of.width, of.height) >> levels > 1) ++levels;
-        vulkan::Image image(context_, std::max(1, of.width >> 1), std::max(1, of.height >> 1), format, kTexture, levels);
+        int last_level = 1;
+        while (last_level < gpu::kPyramidLevels && std::max(of.width, of.height) >> last_level > 1) ++last_level;
+        const int width = std::max(1, of.width >> first_level), height = std::max(1, of.height >> first_level);
+        vulkan::Image image(context_, width, height, format, kTexture, last_level - first_level + 1);
         commands_.run([&](VkCommandBuffer cmd) {
             image.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         });
         return image;
     };
-    object.pyramid_image = make_image(object.has_pyramid, VK_FORMAT_R16G16_UNORM);
-    object.slab_image = make_image(object.has_slabs, VK_FORMAT_R16G16B16A16_SINT);
+    object.slabs_left_out = object.has_slabs ? slab_levels_left_out(map.width, map.height) : 0;
+    object.pyramid_image = make_image(object.has_pyramid, 1, VK_FORMAT_R16G16_UNORM);
+    object.slab_image = make_image(object.has_slabs, 1 + object.slabs_left_out, VK_FORMAT_R16G16B16A16_SINT);
     if (!object.has_pyramid && !object.has_slabs) return;
     object.pyramid = std::make_unique<HeightPyramid>(map, object.wrap);
     const HeightPyramid& pyramid = *object.pyramid;
     for (int level = 1; level <= pyramid.levels(); ++level)
-        for (int y = 0; y < pyramid.height(level); y += kBand)
-            upload_bounds(object, map, {{level, 0, y, pyramid.width(level), std::min(pyramid.height(level), y + kBand)}});
+        for (int y = 0; y < pyramid.height(level); y += kBand / 4) {
+            const int end = std::min(pyramid.height(level), y + kBand / 4);
+            upload_bounds(object, map, {{level, 0, y, pyramid.width(level), end}});
+        }
 }
 
 void GpuScene::load_opacity(const SceneObject& description, Object& object, bool wanted) {
@@ -95,25 +99,27 @@ void GpuScene::load_opacity(const SceneObject& description, Object& object, bool
 void GpuScene::upload_bounds(Object& object, const HeightView& map, const std::vector<HeightPyramid::Nodes>& changed) {
     const HeightPyramid& pyramid = *object.pyramid;
     if (object.has_slabs) {
-        upload_nodes<PackedSlab>(object.slab_image, changed, [&](int level, int x, int y) {
+        upload_nodes<PackedSlab>(object.slab_image, 1 + object.slabs_left_out, changed, [&](int level, int x, int y) {
             return height_slab(map, pyramid, level, x, y);
         });
     } else {
-        upload_nodes<HeightPyramid::Node>(object.pyramid_image, changed, [&](int level, int x, int y) {
+        upload_nodes<HeightPyramid::Node>(object.pyramid_image, 1, changed, [&](int level, int x, int y) {
             return pyramid.overlapping(level, x, y);
         });
     }
 }
 
-// The changed nodes, level by level, into the image's mips.
+// The changed nodes, level by level from the image's first one, into its mips.
 template <typename Texel, typename NodeOf>
-void GpuScene::upload_nodes(const vulkan::Image& image, const std::vector<HeightPyramid::Nodes>& changed,
+void GpuScene::upload_nodes(const vulkan::Image& image, int first_level, std::vector<HeightPyramid::Nodes> changed,
                             const NodeOf& node_of) {
+    std::erase_if(changed, [&](const HeightPyramid::Nodes& n) { return n.level < first_level; });
+    if (changed.empty()) return;
     std::vector<VkBufferImageCopy> copies;
     std::size_t count = 0;
     for (const HeightPyramid::Nodes& n : changed) {
         copies.push_back(image_copy({n.x0, n.y0, n.x1, n.y1}, count * sizeof(Texel)));
-        copies.back().imageSubresource.mipLevel = static_cast<std::uint32_t>(n.level - 1);
+        copies.back().imageSubresource.mipLevel = static_cast<std::uint32_t>(n.level - first_level);
         count += static_cast<std::size_t>(n.x1 - n.x0) * static_cast<std::size_t>(n.y1 - n.y0);
     }
     if (staging_.bytes() < count * sizeof(Texel))

@@ -69,7 +69,8 @@ HeightPyramid::Node HeightPyramid::reduce_nodes(int level, int x, int y) const {
 }
 
 HeightPyramid::Node HeightPyramid::overlapping(int level, int x, int y) const {
-    const int x1 = wrapped(x + 1, width(level), wrap_), y1 = wrapped(y + 1, height(level), wrap_);
+    const auto next = [&](int i, int size) { return i + 1 < size ? i + 1 : wrap_ == Wrap::clamp ? i : 0; };
+    const int x1 = next(x, width(level)), y1 = next(y, height(level));
     Node node = plain(level, x, y);
     include(node, plain(level, x1, y));
     include(node, plain(level, x, y1));

@@ -37,7 +37,9 @@ bool may_tilt(const AxisOfNode& axis) {
 }
 
 int texel_index(const AxisOfNode& axis, int texel) {
-    return axis.repeat ? texel % axis.size : std::min(texel, axis.size - 1);
+    if (!axis.repeat) return std::min(texel, axis.size - 1);
+    while (texel >= axis.size) texel -= axis.size;  // seldom; a division costs more
+    return texel;
 }
 
 Parts parts_of(const AxisOfNode& axis, int level) {
@@ -105,23 +107,27 @@ Span over_texels(const HeightView& map, int level, const Parts& columns, const P
     return span;
 }
 
-// The same of a node inside the map, where all of an edit's lie but few: 2^(level + 1) + 1 texels a side, in a row.
+// The same of a node inside the map, where all of an edit's lie but few: 2^(level + 1) + 1 texels a side, in a row. In
+// floats, which hold these whole numbers: every x86-64 has instructions for their minima and maxima, not for integers'.
 template <int kLevel>
 Span over_square(const std::uint16_t* row, std::size_t stride, int rise_x, int rise_y) {
     constexpr int kHalf = 1 << kLevel, kSide = 2 * kHalf + 1;
-    std::array<int, kSide> low, high, across;
-    low.fill(1 << 30);
-    high.fill(-(1 << 30));
-    for (int k = 0; k < kSide; ++k) across[static_cast<std::size_t>(k)] = rise_x * (k - kHalf);
+    std::array<float, kSide> low, high, across;
+    low.fill(1e9f);
+    high.fill(-1e9f);
+    for (int k = 0; k < kSide; ++k) across[static_cast<std::size_t>(k)] = static_cast<float>(rise_x * (k - kHalf));
     for (int r = -kHalf; r <= kHalf; ++r, row += stride) {
-        const int up = rise_y * r;
-        for (std::size_t k = 0; k < kSide; ++k) {
-            const int over = row[k] * kHalf - across[k] - up;
-            low[k] = std::min(low[k], over);
-            high[k] = std::max(high[k], over);
-        }
+        const auto up = static_cast<float>(rise_y * r);
+        const auto include = [&](std::size_t k) {
+            const float over = static_cast<float>(row[k] * kHalf) - across[k] - up;
+            low[k] = over < low[k] ? over : low[k];
+            high[k] = over > high[k] ? over : high[k];
+        };
+        for (std::size_t k = 0; k < kSide - 1; ++k) include(k);  // whole vectors
+        include(kSide - 1);
     }
-    return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
+    return {static_cast<int>(*std::min_element(low.begin(), low.end())),
+            static_cast<int>(*std::max_element(high.begin(), high.end()))};
 }
 
 Span over_nodes(const HeightPyramid& pyramid, int level, const Parts& columns, const Parts& rows, int rise_x, int rise_y) {

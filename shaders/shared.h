@@ -63,6 +63,7 @@ struct ObjectData {
     uint clamp_wrap;  // 1: clamp, 0: repeat
     float ray_offset; // world units: secondary rays start this far along the normal
     uint albedo_map;  // 1: the albedo is that of the object's map
+    int slabs_left_out;  // finest levels of the bounds about planes that are not kept (renderer/height_slabs.h)
 };
 
 // A procedural height source (geometry/procedural.glsl), one an object. Lattice coordinates are 32.32 fixed point, two's
@@ -224,7 +225,7 @@ RELIEVO_CONST uint kGroupWidth = 8u;  // pixels a side of a compute workgroup
 #ifdef __cplusplus
 static_assert(sizeof(Primitive) == 128);
 static_assert(sizeof(PrimitiveNormals) == 36);
-static_assert(sizeof(ObjectData) == 52);
+static_assert(sizeof(ObjectData) == 56);
 static_assert(sizeof(ProceduralData) == 80);
 static_assert(sizeof(BvhNode) == 64);  // a cache line
 static_assert(sizeof(LightData) == 32);

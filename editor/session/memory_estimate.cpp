@@ -10,6 +10,7 @@
 #include <string>
 
 #include "editor/session/text.h"
+#include "renderer/height_slabs.h"
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -21,10 +22,10 @@ constexpr std::uint64_t kWithoutLimit = std::numeric_limits<std::uint64_t>::max(
 // Bytes a texel beside the texel itself.
 constexpr double kSurfaceTables = 0.25;  // which texels are owned, height bounds
 // Overlapping bounds of levels 1 to 7, on the device and what they are made from.
-double bytes_of(MapBounds bounds) {
+double bytes_of(MapBounds bounds, const MapInfo& map) {
     switch (bounds) {
         case MapBounds::heights: return 3;
-        case MapBounds::planes: return 4.25;
+        case MapBounds::planes: return slab_levels_left_out(map.width, map.height) > 0 ? 2.25 : 4.75;
         default: return 0;
     }
 }
@@ -62,7 +63,7 @@ MapMemory estimate_memory(const MapInfo& map, bool with_renderer, MapBounds boun
     need.passing = static_cast<std::uint64_t>(file);
     if (with_renderer)
         need.device =
-            static_cast<std::uint64_t>(texels * (sizeof(std::uint16_t) + bytes_of(bounds)));
+            static_cast<std::uint64_t>(texels * (sizeof(std::uint16_t) + bytes_of(bounds, map)));
     return need;
 }
 

@@ -122,6 +122,13 @@ void add_sizes(std::vector<CaseEntry>& list) {
     add("8192_map", "8192 x 1024, hills of 100 texels", [] {
         return on_plane(0.1, 0.5, {8192, 1024, [](int x, int y) { return dunes(x / 1024.0, y / 512.0); }});
     });
+    // So large that methods leave the finest bounds out.
+    add("16384_map", "16384 x 1024, hills and needles of a texel, on a ball", [] {
+        return on_ball(0.1, 0.3, {16384, 1024, [](int x, int y) {
+                                      const bool needle = hash01(unsigned(x), unsigned(y), 4) > 0.999;
+                                      return needle ? 1.0 : 0.8 * ball_dunes((x + 0.5) / 16384, (y + 0.5) / 1024);
+                                  }});
+    });
 }
 
 }  // namespace

@@ -104,9 +104,9 @@ HeightSlab height_slab(uint object, int level, vec2 cell) {
     ivec2 node = node_of_cell(ob.map_size, level, inside);
     vec4 packed;
     if (kObjects == 1u) {
-        packed = vec4(texelFetch(slabs[0], node, level - 1));
+        packed = vec4(texelFetch(slabs[0], node, level - 1 - ob.slabs_left_out));
     } else {
-        packed = vec4(texelFetch(slabs[nonuniformEXT(object)], node, level - 1));
+        packed = vec4(texelFetch(slabs[nonuniformEXT(object)], node, level - 1 - ob.slabs_left_out));
     }
     slab.bounds = (packed.xy + 32768.0) * (1.0 / 65535.0);
     slab.slope = packed.zw * (power_of_two(-level) * (1.0 / 65535.0));

@@ -17,9 +17,8 @@
 //
 // Parameters: x: correct_normals (0 or 1).
 const int kMaxStretches = 131072;    // a triangle: beyond, the ray counts as a miss
-const int kMaxCells = 6;             // a leaf is at most 2 texels long
+const int kMaxCells = 10;            // a leaf is at most 4 texels long
 const int kMaxTries = 8;             // for a chord's length
-const int kStartLevel = 1;
 const float kLongestChord = 256.0f;  // texels
 const float kEdgeMargin = 1e-5f;     // barycentric: neighbours overlap by this, so that no ray slips between,
 const float kOpenMargin = 0.0f;     // at an edge without neighbour: beyond it stands nothing
@@ -62,8 +61,11 @@ FUNC bool in_triangle(vec2 b, vec3 margin) {
     return b.x >= -margin.y && b.y >= -margin.z && 1.0f - b.x - b.y >= -margin.x;
 }
 
-// Least level, from 1, whose squares are as wide as so many texels.
-FUNC int level_over(float texels) { return ((floatBitsToInt(max(texels, 2.0f)) + 0x7fffff) >> 23) - 127; }
+// Of the bounds that are kept: the finest level's, and the least one's whose squares are as wide as so many texels.
+FUNC int least_level(ObjectData ob) { return 1 + ob.slabs_left_out; }
+FUNC int level_over(ObjectData ob, float texels) {
+    return max(((floatBitsToInt(max(texels, 1.0f)) + 0x7fffff) >> 23) - 127, least_level(ob));
+}
 
 #include "patch_search.glsl"
 
@@ -111,7 +113,7 @@ FUNC bool polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec
 }
 
 // The next chord, where the last one ended (which is before the ray leaves the shell).
-FUNC void start_chord(Primitive p, Shell shell, PrismRay r, float most_error, float least_span,
+FUNC void start_chord(Primitive p, ObjectData ob, Shell shell, PrismRay r, float most_error, float least_span,
                       INOUT(Walk) w) {
     ShellPoint a = w.end;
     float tau = w.c.tau + w.c.span;
@@ -153,14 +155,14 @@ FUNC void start_chord(Primitive p, Shell shell, PrismRay r, float most_error, fl
     w.longest = 2.0f * span;
     // Towards the surface the first bounds to be asked for are those of half the chord.
     vec2 rate = max(abs(c.d1), abs(c.d1 + c.d2 * 2.0f));
-    if (w.side * c.h.y < 0.0f) w.level = min(level_over(0.5f * max(rate.x, rate.y)), kPyramidLevels);
+    if (w.side * c.h.y < 0.0f) w.level = min(level_over(ob, 0.5f * max(rate.x, rate.y)), kPyramidLevels);
 }
 
 FUNC float height_on(Chord c, float s) { return c.h.x + s * (c.h.y + s * c.h.z); }
 FUNC vec2 texel_on(Chord c, float s) { return c.tx + (c.d1 + c.d2 * s) * s; }
 FUNC vec2 barycentrics_on(Chord c, float s) { return c.b + (c.b1 + c.b2 * s) * s; }
 
-// Along the chord until a stretch under which the surface may be: from w.s to `to`, less than two texels. False at the
+// Along the chord until a stretch under which the surface may be: from w.s to `to`, of the finest level. False at the
 // chord's end.
 FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INOUT(Walk) w, OUT(float) to) {
     Chord c = w.c;
@@ -168,6 +170,7 @@ FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INO
     vec2 rate = max(abs(c.d1), abs(c.d1 + c.d2 * 2.0f));
     float texels = max(max(rate.x, rate.y), 1e-20f);
     bool found = false, failed = false;
+    int least = least_level(ob);
     do {
         float s = w.s;
         to = min(s + 0.9f * power_of_two(w.level) / texels, 1.0f);
@@ -193,9 +196,9 @@ FUNC bool seek_leaf(Primitive p, ObjectData ob, PrismRay r, float tolerance, INO
         bool enters = outside > 0.0f && (falls ? w.side >= 0.0f : w.side <= 0.0f);
         w.s = passes ? to : s + (enters ? outside * (to - s) / abs(h0 - h1) : 0.0f);
         w.side = passes ? (above ? 1.0f : -1.0f) : enters ? (falls ? 1.0f : -1.0f) : w.side;
-        found = !passes && w.level <= 1;
+        found = !passes && w.level <= least;
         // Half of a stretch that did not pass is more likely the one that does not.
-        w.level = clamp(w.level + (passes ? (failed ? 0 : 1) : -1), 1, kPyramidLevels);
+        w.level = clamp(w.level + (passes ? (failed ? 0 : 1) : -1), least, kPyramidLevels);
         failed = !passes;
         w.stretches += found ? 0 : 1;
     } while (!found && w.stretches < kMaxStretches && w.s < 1.0f);
@@ -333,14 +336,14 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     w.c.span = 0.0f;
     w.s = 1.0f;
     w.longest = 1e30f;
-    w.level = kStartLevel;
+    w.level = least_level(ob);
     w.stretches = 0;
     // Through the top or the bottom of its own height range the side is known; else the first cell tells.
     w.side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
     bool met = false, walks = r.low < r.high;
     int rounds = 0;
     do {
-        if (walks && w.s >= 1.0f) start_chord(p, shell, r, most_error, 0.1f * least_span, w);
+        if (walks && w.s >= 1.0f) start_chord(p, ob, shell, r, most_error, 0.1f * least_span, w);
         // Polishing moves a root by less than half its chord.
         walks = walks && !(w.c.tau + w.c.span * (w.s - 0.5f) > limit);
         if (walks && w.s < 1.0f) {

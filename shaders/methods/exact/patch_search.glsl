@@ -82,7 +82,7 @@ FUNC vec2 patch_displacement(Primitive p, ObjectData ob, vec2 low, vec2 high) {
         values = vec2(min(min(v0, v1), min(v2, v3)), max(max(v0, v1), max(v2, v3)));
     } else {
         vec2 from = floor(low - vec2(1e-3f));
-        HeightSlab slab = height_slab(p.object, level_over(most), base + from);
+        HeightSlab slab = height_slab(p.object, level_over(ob, most), base + from);
         vec2 middle = from + slab.middle;
         vec2 a = slab.slope * (low - middle - vec2(1e-3f)), b = slab.slope * (high - middle + vec2(1e-3f));
         vec2 least = min(a, b), greatest = max(a, b);
