@@ -9,7 +9,7 @@ namespace relievo {
 namespace {
 
 constexpr int kPartLevels = 3;
-constexpr int kMostParts = 32;  // along one axis: 2^kPartLevels and what the last node takes beyond that, and a texel
+constexpr int kMostParts = 32;  // along one axis: of two nodes, the last of which is up to twice as wide, and a texel
 
 // What a node is made of along one axis: texels, or nodes without overlap.
 struct Parts {
@@ -65,20 +65,11 @@ Parts parts_of(const AxisOfNode& axis, int level) {
     return parts;
 }
 
-// Least and greatest height over the plane, times 2^level.
+// Least and greatest height over the plane, times 2^level. Most are found in floats, which hold whole numbers up to
+// 2^24: every x86-64 has instructions for their minima and maxima, not for integers'.
 struct Span {
     int low, high;
 };
-
-// The plane over each part: where it is least and where it is greatest.
-std::array<Span, kMostParts> plane_over(const Parts& parts, int rise) {
-    std::array<Span, kMostParts> plane;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(parts.count); ++k) {
-        const int a = rise * parts.from[k], b = rise * parts.to[k];
-        plane[k] = {std::min(a, b), std::max(a, b)};
-    }
-    return plane;
-}
 
 Span over_texels(const HeightView& map, int level, const Parts& columns, const Parts& rows, int rise_x, int rise_y) {
     std::array<int, kMostParts> across;
@@ -107,8 +98,7 @@ Span over_texels(const HeightView& map, int level, const Parts& columns, const P
     return span;
 }
 
-// The same of a node inside the map, where all of an edit's lie but few: 2^(level + 1) + 1 texels a side, in a row. In
-// floats, which hold these whole numbers: every x86-64 has instructions for their minima and maxima, not for integers'.
+// The same of a node inside the map, where all of an edit's lie but few: 2^(level + 1) + 1 texels a side, in a row.
 template <int kLevel>
 Span over_square(const std::uint16_t* row, std::size_t stride, int rise_x, int rise_y) {
     constexpr int kHalf = 1 << kLevel, kSide = 2 * kHalf + 1;
@@ -130,16 +120,36 @@ Span over_square(const std::uint16_t* row, std::size_t stride, int rise_x, int r
             static_cast<int>(*std::max_element(high.begin(), high.end()))};
 }
 
+// The same of nodes, which hold their heights anywhere over their texels.
 Span over_nodes(const HeightPyramid& pyramid, int level, const Parts& columns, const Parts& rows, int rise_x, int rise_y) {
-    const auto across = plane_over(columns, rise_x), up = plane_over(rows, rise_y);
-    Span span{1 << 30, -(1 << 30)};
-    for (std::size_t r = 0; r < static_cast<std::size_t>(rows.count); ++r)
-        for (std::size_t k = 0; k < static_cast<std::size_t>(columns.count); ++k) {
-            const HeightPyramid::Node& part = pyramid.plain(level - kPartLevels, columns.at[k], rows.at[r]);
-            span.low = std::min(span.low, (part.low << level) - across[k].high - up[r].high);
-            span.high = std::max(span.high, (part.high << level) - across[k].low - up[r].low);
+    const auto count = static_cast<std::size_t>(columns.count);
+    std::array<float, kMostParts> least, greatest, low, high;  // of the plane over each column; then of heights over it
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto a = static_cast<float>(rise_x * columns.from[k]), b = static_cast<float>(rise_x * columns.to[k]);
+        least[k] = std::min(a, b), greatest[k] = std::max(a, b);
+        low[k] = 1e9f, high[k] = -1e9f;
+    }
+    std::array<HeightPyramid::Node, kMostParts> gathered;
+    for (std::size_t r = 0; r < static_cast<std::size_t>(rows.count); ++r) {
+        const HeightPyramid::Node* row = &pyramid.plain(level - kPartLevels, columns.at[0], rows.at[r]);
+        if (!columns.in_a_row) {
+            for (std::size_t k = 0; k < count; ++k)
+                gathered[k] = pyramid.plain(level - kPartLevels, columns.at[k], rows.at[r]);
+            row = gathered.data();
         }
-    return span;
+        const auto a = static_cast<float>(rise_y * rows.from[r]), b = static_cast<float>(rise_y * rows.to[r]);
+        const float up = std::max(a, b), down = std::min(a, b);
+        for (std::size_t k = 0; k < count; ++k) {
+            const float l = static_cast<float>(row[k].low << level) - greatest[k] - up;
+            const float h = static_cast<float>(row[k].high << level) - least[k] - down;
+            low[k] = l < low[k] ? l : low[k];
+            high[k] = h > high[k] ? h : high[k];
+        }
+    }
+    const auto end = static_cast<std::ptrdiff_t>(count);
+    constexpr int kRounding = 2;  // of two differences below 2^25
+    return {static_cast<int>(*std::min_element(low.begin(), low.begin() + end)) - kRounding,
+            static_cast<int>(*std::max_element(high.begin(), high.begin() + end)) + kRounding};
 }
 
 Span span_over_plane(const HeightView& map, const HeightPyramid& pyramid, int level, const AxisOfNode& x,

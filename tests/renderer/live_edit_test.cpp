@@ -29,6 +29,21 @@ TEST_P(LiveEdit, UploadEqualsARendererBuiltAfresh) {
     EXPECT_LE(differ, 4);
 }
 
+// So large that `exact` keeps no bounds of the finest level.
+TEST(LiveEditOfALargeMap, UploadEqualsARendererBuiltAfresh) {
+    Scene scene = make_scene(ball_mesh(), 0.3);
+    scene.method.name = "exact";
+    TestMap map{4096, 4096, {}};
+    for (int i = 0; i < 4096 * 4096; ++i)
+        map.texels.push_back(static_cast<std::uint16_t>(32768 + (i % 4096 & 511) * 40 - (i >> 17) * 200));
+    Renderer live = make_renderer(scene, map, settings_of(scene));
+    const TexelRegion regions[] = {{300, 2100, 1500, 2700}, {4000, 1500, 4096, 2400}};
+    for (const TexelRegion& r : regions) raise(map, r, 65535);
+    live.upload(0, map.view(), regions);
+    const auto a = live.read_back(Layer::depth), b = depth_of(scene, map, settings_of(scene));
+    for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-5f) << i;
+}
+
 TEST_P(LiveEdit, NothingIsRefittedWhenTheHeightsStayWithinTheirBounds) {
     const Scene scene = make_scene(plane_mesh(), 0.3);
     TestMap map = make_map(128, 128, [](double u, double) { return u < 0.1 ? 0.0 : u > 0.9 ? 1.0 : 0.5; });
