@@ -89,8 +89,8 @@ TEST(HeightSlabs, AreClosedOverARampAndCloseOverASmoothMap) {
     for (int level = 1; level <= 6; ++level) {
         const int middle = of_ramp.width(level) / 2 - 1;
         const PackedSlab slab = height_slab(ramp.view(), of_ramp, level, middle, middle);
-        // Above level 3 a part's own range, of the plane's slopes, is added twice.
-        const int parts = level <= 3 ? 0 : 2 * 150 * (1 << (level - 3));
+        // Above level 3 a part's own range, of the plane's slopes, is added twice, and rounding.
+        const int parts = level <= 3 ? 0 : 2 * 150 * (1 << (level - 3)) + 1;
         EXPECT_LE(slab.high - slab.low, 1 + parts) << level;
     }
     for (int level = 1; level <= 4; ++level) {

@@ -41,7 +41,14 @@ TEST(LiveEditOfALargeMap, UploadEqualsARendererBuiltAfresh) {
     for (const TexelRegion& r : regions) raise(map, r, 65535);
     live.upload(0, map.view(), regions);
     const auto a = live.read_back(Layer::depth), b = depth_of(scene, map, settings_of(scene));
-    for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-5f) << i;
+    int hits = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ASSERT_EQ(std::isfinite(a[i]), std::isfinite(b[i])) << i;
+        if (!std::isfinite(a[i])) continue;
+        ASSERT_NEAR(a[i], b[i], 1e-5f) << i;
+        ++hits;
+    }
+    EXPECT_GT(hits, 1000);
 }
 
 TEST_P(LiveEdit, NothingIsRefittedWhenTheHeightsStayWithinTheirBounds) {
