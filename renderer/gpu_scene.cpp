@@ -107,7 +107,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         data.map_size = {maps[i].width, maps[i].height};
         data.radius = objects_[i].mesh.sphere_radius;
         data.albedo_map = objects_[i].albedo.is_map() ? 1 : 0;
-        data.slabs_left_out = objects_[i].has_slabs ? objects_[i].slabs_left_out : 0;
+        data.slabs_left_out = objects_[i].slabs_left_out;
         data.clamp_wrap = objects_[i].wrap == Wrap::clamp ? 1 : 0;
         set_material(i, scene.objects[i].material);
     }

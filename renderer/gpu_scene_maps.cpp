@@ -51,14 +51,14 @@ void GpuScene::load_map(Object& object, const HeightView& map, const Features& f
 }
 
 void GpuScene::load_bounds(Object& object, const HeightView& map) {
+    const bool wanted = object.has_pyramid || object.has_slabs;
+    if (wanted) object.pyramid = std::make_unique<HeightPyramid>(map, object.wrap);
     // One node stands in where no method asks: descriptors need an image.
-    const HeightView one{1, 1, map.texels};
-    const auto make_image = [&](bool wanted, int first_level, VkFormat format) {
-        const HeightView& of = wanted ? map : one;
-        int last_level = 1;
-        while (last_level < gpu::kPyramidLevels && std::max(of.width, of.height) >> last_level > 1) ++last_level;
-        const int width = std::max(1, of.width >> first_level), height = std::max(1, of.height >> first_level);
-        vulkan::Image image(context_, width, height, format, kTexture, last_level - first_level + 1);
+    const HeightPyramid one({1, 1, map.texels}, object.wrap);
+    const auto make_image = [&](bool asked_for, int first_level, VkFormat format) {
+        const HeightPyramid& of = asked_for ? *object.pyramid : one;
+        vulkan::Image image(context_, of.width(first_level), of.height(first_level), format, kTexture,
+                            of.levels() - first_level + 1);
         commands_.run([&](VkCommandBuffer cmd) {
             image.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         });
@@ -67,8 +67,7 @@ void GpuScene::load_bounds(Object& object, const HeightView& map) {
     object.slabs_left_out = object.has_slabs ? slab_levels_left_out(map.width, map.height) : 0;
     object.pyramid_image = make_image(object.has_pyramid, 1, VK_FORMAT_R16G16_UNORM);
     object.slab_image = make_image(object.has_slabs, 1 + object.slabs_left_out, VK_FORMAT_R16G16B16A16_SINT);
-    if (!object.has_pyramid && !object.has_slabs) return;
-    object.pyramid = std::make_unique<HeightPyramid>(map, object.wrap);
+    if (!wanted) return;
     const HeightPyramid& pyramid = *object.pyramid;
     for (int level = 1; level <= pyramid.levels(); ++level)
         for (int y = 0; y < pyramid.height(level); y += kBand / 4) {

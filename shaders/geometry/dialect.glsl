@@ -27,4 +27,13 @@ struct HeightSlab {
     vec2 slope;   // per texel
     vec2 middle;  // texels, from `from`
 };
+
+// Of a node as renderer/height_slabs.h packs it: low, high and the two rises.
+FUNC HeightSlab unpacked_slab(vec4 node, int level, vec2 middle) {
+    HeightSlab slab;
+    slab.bounds = (vec2(node.x, node.y) + 32768.0f) * (1.0f / 65535.0f);
+    slab.slope = vec2(node.z, node.w) * (power_of_two(-level) * (1.0f / 65535.0f));
+    slab.middle = middle;
+    return slab;
+}
 #endif

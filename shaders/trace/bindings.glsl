@@ -91,10 +91,10 @@ vec2 map_bounds(uint object, int level, vec2 cell) {
 
 // The same of heights about a plane.
 HeightSlab height_slab(uint object, int level, vec2 cell) {
-    HeightSlab slab;
-    slab.middle = slab.slope = vec2(0.0);
     if (is_procedural(object)) {
+        HeightSlab slab;
         slab.bounds = map_bounds(object, level, cell);
+        slab.middle = slab.slope = vec2(0.0);
         return slab;
     }
     count_fetch();
@@ -108,10 +108,7 @@ HeightSlab height_slab(uint object, int level, vec2 cell) {
     } else {
         packed = vec4(texelFetch(slabs[nonuniformEXT(object)], node, level - 1 - ob.slabs_left_out));
     }
-    slab.bounds = (packed.xy + 32768.0) * (1.0 / 65535.0);
-    slab.slope = packed.zw * (power_of_two(-level) * (1.0 / 65535.0));
-    slab.middle = vec2(((node + 1) << level) - inside);
-    return slab;
+    return unpacked_slab(packed, level, vec2(((node + 1) << level) - inside));
 }
 
 #include "../geometry/height.glsl"

@@ -6,24 +6,16 @@
 #include <algorithm>
 #include <random>
 
+#include "tests/support/scenes.h"
+
 namespace relievo::test {
 namespace {
 
-struct Map {
-    int width, height;
-    std::vector<std::uint16_t> texels;
-    HeightView view() const { return {width, height, texels.data()}; }
-};
-
-Map noise(int width, int height, std::mt19937& rng) {
-    Map map{width, height, {}};
+TestMap noise(int width, int height, std::mt19937& rng) {
+    TestMap map{width, height, {}};
     for (int i = 0; i < width * height; ++i)
         map.texels.push_back(static_cast<std::uint16_t>(rng() & 0xffffu));
     return map;
-}
-
-int wrapped(int i, int size, Wrap wrap) {
-    return wrap == Wrap::clamp ? std::clamp(i, 0, size - 1) : (i % size + size) % size;
 }
 
 struct Size {
@@ -45,7 +37,7 @@ TEST(HeightPyramid, RandomEditsEqualARebuildAndNameAllThatChanged) {
     std::mt19937 rng(11);
     for (const Wrap wrap : {Wrap::repeat, Wrap::clamp})
         for (const Size& size : kSizes) {
-            Map map = noise(size.width, size.height, rng);
+            TestMap map = noise(size.width, size.height, rng);
             HeightPyramid live(map.view(), wrap);
             for (int round = 0; round < 40; ++round) {
                 const int x0 = int(rng() % unsigned(size.width)), y0 = int(rng() % unsigned(size.height));
@@ -79,7 +71,7 @@ TEST(HeightPyramid, ANodeHoldsEveryStretchThatBeginsInIt) {
     std::mt19937 rng(12);
     for (const Wrap wrap : {Wrap::repeat, Wrap::clamp})
         for (const Size& size : kSizes) {
-            const Map map = noise(size.width, size.height, rng);
+            const TestMap map = noise(size.width, size.height, rng);
             const HeightPyramid pyramid(map.view(), wrap);
             for (int level = 1; level <= pyramid.levels(); ++level)
                 for (int cy = 0; cy < size.height; ++cy)
@@ -102,7 +94,7 @@ TEST(HeightPyramid, ANodeHoldsEveryStretchThatBeginsInIt) {
 // Counted in nodes, not in time: what an edit reduces does not grow with the map.
 TEST(HeightPyramid, AnEditOfALargeMapTouchesNoMoreThanOfASmallOne) {
     const auto nodes_after_edit = [](int size) {
-        const Map map{size, size,
+        const TestMap map{size, size,
                       std::vector<std::uint16_t>(static_cast<std::size_t>(size) * std::size_t(size), 9)};
         HeightPyramid pyramid(map.view(), Wrap::repeat);
         std::int64_t nodes = 0;

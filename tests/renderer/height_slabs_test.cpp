@@ -8,18 +8,14 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/scenes.h"
+
 namespace relievo::test {
 namespace {
 
-struct Map {
-    int width, height;
-    std::vector<std::uint16_t> texels;
-    HeightView view() const { return {width, height, texels.data()}; }
-};
-
 template <typename Height>
-Map make_map(int width, int height, const Height& of) {
-    Map map{width, height, {}};
+TestMap counts_map(int width, int height, const Height& of) {
+    TestMap map{width, height, {}};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             map.texels.push_back(static_cast<std::uint16_t>(std::clamp(of(x, y), 0.0, 65535.0)));
@@ -32,21 +28,17 @@ struct Size {
 constexpr Size kSizes[] = {{1, 1}, {1, 9}, {9, 1}, {7, 5}, {64, 64}, {100, 37}, {31, 63}, {300, 40}};
 constexpr Wrap kWraps[] = {Wrap::repeat, Wrap::clamp};
 
-std::vector<Map> maps_of(const Size& size, std::mt19937& rng) {
+std::vector<TestMap> maps_of(const Size& size, std::mt19937& rng) {
     const auto [w, h] = size;
-    return {make_map(w, h, [&](int, int) { return double(rng() & 0xffffu); }),
-            make_map(w, h, [&](int x, int y) { return 32768 + 30000 * std::sin(6.2832 * x / w) * std::cos(6.2832 * y / h); }),
-            make_map(w, h, [&](int x, int y) { return 700.0 * x + 300.0 * y; }),
-            make_map(w, h, [&](int x, int y) { return 65535 - 1500.0 * x + 90.0 * (y % 7); }),
-            make_map(w, h, [&](int x, int y) { return (x / 3 + y / 5) % 2 == 0 ? 0.0 : 65535.0; })};
-}
-
-int wrapped(int i, int size, Wrap wrap) {
-    return wrap == Wrap::clamp ? std::clamp(i, 0, size - 1) : (i % size + size) % size;
+    return {counts_map(w, h, [&](int, int) { return double(rng() & 0xffffu); }),
+            counts_map(w, h, [&](int x, int y) { return 32768 + 30000 * std::sin(6.2832 * x / w) * std::cos(6.2832 * y / h); }),
+            counts_map(w, h, [&](int x, int y) { return 700.0 * x + 300.0 * y; }),
+            counts_map(w, h, [&](int x, int y) { return 65535 - 1500.0 * x + 90.0 * (y % 7); }),
+            counts_map(w, h, [&](int x, int y) { return (x / 3 + y / 5) % 2 == 0 ? 0.0 : 65535.0; })};
 }
 
 // Heights over the slab's plane at the texels of all stretches that begin in the cell, which may lie beyond the map.
-void expect_holds(const Map& map, const HeightPyramid& pyramid, int level, int cx, int cy) {
+void expect_holds(const TestMap& map, const HeightPyramid& pyramid, int level, int cx, int cy) {
     const Wrap wrap = pyramid.wrap();
     const int x = wrapped(cx, map.width, wrap), y = wrapped(cy, map.height, wrap);
     const int i = std::min(x >> level, pyramid.width(level) - 1), j = std::min(y >> level, pyramid.height(level) - 1);
@@ -66,7 +58,7 @@ TEST(HeightSlabs, HoldEveryStretchThatBeginsInTheirNode) {
     std::mt19937 rng(31);
     for (const Wrap wrap : kWraps)
         for (const Size& size : kSizes)
-            for (const Map& map : maps_of(size, rng)) {
+            for (const TestMap& map : maps_of(size, rng)) {
                 const HeightPyramid pyramid(map.view(), wrap);
                 const int cells = size.width * size.height, step = std::max(1, cells / 150);
                 for (int level = 1; level <= pyramid.levels(); ++level) {
@@ -81,8 +73,8 @@ TEST(HeightSlabs, HoldEveryStretchThatBeginsInTheirNode) {
 }
 
 TEST(HeightSlabs, AreClosedOverARampAndCloseOverASmoothMap) {
-    const Map ramp = make_map(256, 256, [](int x, int y) { return 100.0 * x + 50.0 * y; });
-    const Map waves = make_map(1024, 1024, [](int x, int y) {
+    const TestMap ramp = counts_map(256, 256, [](int x, int y) { return 100.0 * x + 50.0 * y; });
+    const TestMap waves = counts_map(1024, 1024, [](int x, int y) {
         return 32768 + 20000 * std::sin(6.2832 * x / 256) * std::cos(6.2832 * y / 256);
     });
     const HeightPyramid of_ramp(ramp.view(), Wrap::clamp), of_waves(waves.view(), Wrap::repeat);
@@ -110,10 +102,10 @@ TEST(HeightSlabs, AnEditChangesNoNodeButThoseThatThePyramidNames) {
     std::mt19937 rng(32);
     for (const Wrap wrap : kWraps)
         for (const Size& size : kSizes)
-            for (Map& map : maps_of(size, rng)) {
+            for (TestMap& map : maps_of(size, rng)) {
                 HeightPyramid live(map.view(), wrap);
                 for (int round = 0; round < 4; ++round) {
-                    const Map old = map;
+                    const TestMap old = map;
                     const HeightPyramid before = live;
                     const int x0 = int(rng() % unsigned(size.width)), y0 = int(rng() % unsigned(size.height));
                     const TexelRegion r{x0, y0, std::min(x0 + 1 + int(rng() % 9), size.width),

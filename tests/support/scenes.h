@@ -1,6 +1,7 @@
 // Small scenes made in memory, for tests of the renderer.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -16,6 +17,11 @@ struct TestMap {
     std::vector<std::uint16_t> texels;
     HeightView view() const { return {width, height, texels.data()}; }
 };
+
+// The texel that a place of one axis, which may lie beyond the map, reads.
+inline int wrapped(int i, int size, Wrap wrap) {
+    return wrap == Wrap::clamp ? std::clamp(i, 0, size - 1) : (i % size + size) % size;
+}
 
 // value(u, v) in [0, 1], sampled at texel centres.
 inline TestMap make_map(int width, int height, const std::function<double(double, double)>& value) {

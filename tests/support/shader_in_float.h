@@ -124,11 +124,8 @@ inline HeightSlab height_slab(uint, int level, vec2 cell) {
     const test::TestMap& map = *subject.map;
     const relievo::PackedSlab packed =
         relievo::height_slab({map.width, map.height, map.texels.data()}, *subject.pyramid, level, at.node.x, at.node.y);
-    HeightSlab slab;
-    slab.bounds = (vec2(packed.low, packed.high) + 32768.0f) * (1.0f / 65535.0f);
-    slab.slope = vec2(packed.rise_x, packed.rise_y) * (power_of_two(-level) * (1.0f / 65535.0f));
-    slab.middle = vec2((at.node.x + 1) << level, (at.node.y + 1) << level) - vec2(at.cell);
-    return slab;
+    const vec2 middle = vec2((at.node.x + 1) << level, (at.node.y + 1) << level) - vec2(at.cell);
+    return unpacked_slab(vec4(packed.low, packed.high, packed.rise_x, packed.rise_y), level, middle);
 }
 
 inline bool opaque_at(Primitive, vec2) {
