@@ -10,22 +10,25 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
-// Damping against unit residuals; an equation's weights are about 1 in sum on each side and come at least
-// twice a texel. Less damping bends the border's texels, or tosses those beyond it, to cancel kinks that the
-// two grids cannot share, and shows as a line; so it starts here and falls by tens only while a difference of
-// more than kAccepted of the stroke's height is left (brushes of a few texels, islands narrower than a
-// texel).
-constexpr double kOwnedDamping = 3e-3;
-constexpr double kLooseDamping = 1e-3;
-constexpr double kAccepted = 0.003;
-constexpr double kAcceptedCounts = 0.5;  // rounding leaves as much
-constexpr int kMostSolutions = 5;
+// Against equations whose weights are about 1 in sum on each side and come at least twice a texel. Texels
+// start where the stroke, and its extension over the seam, want them, and whatever moves them shows as
+// ripples one texel wide: so they are held firmly. As parts of the stroke's height: an equation counts kMore
+// times as much, again and again, while it leaves a difference of more than kAccepted (where the brush has a
+// few texels, or an island is narrower than one); then all do, while more than kFine is left and no texel has
+// moved by more than kMoved, which does not show yet.
+constexpr double kDamping = 1;
+constexpr double kAccepted = 0.005;
+constexpr double kFine = 0.001;
+constexpr double kMoved = 0.004;
+constexpr double kRounding = 0.5;  // counts that are left anyhow
+constexpr double kMore = 3;
+constexpr int kMostSolutions = 16;
 
 }  // namespace
 
 std::vector<double> solve_seam(const SeamSystem& system) {
     const auto rows = static_cast<Eigen::Index>(system.residual.size());
-    const auto columns = static_cast<Eigen::Index>(system.loose.size());
+    const auto columns = static_cast<Eigen::Index>(system.unknowns);
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(system.entries.size());
     for (const SeamSystem::Entry& entry : system.entries)
@@ -34,18 +37,28 @@ std::vector<double> solve_seam(const SeamSystem& system) {
     equations.setFromTriplets(entries.begin(), entries.end());
 
     const Vector residual = Eigen::Map<const Vector>(system.residual.data(), rows);
-    const Matrix squares = equations.transpose() * equations;
-    const Vector right = equations.transpose() * residual;
-    const double accepted = std::max(kAccepted * system.relief, kAcceptedCounts);
-    Vector step;
-    double scale = 1.0;
-    for (int i = 0; i < kMostSolutions; ++i, scale *= 0.1) {
-        Matrix normal = squares;
-        for (Eigen::Index k = 0; k < columns; ++k)
-            normal.coeffRef(k, k) +=
-                scale * (system.loose[static_cast<std::size_t>(k)] ? kLooseDamping : kOwnedDamping);
-        step = Eigen::SimplicialLDLT<Matrix>(normal).solve(right);
-        if ((residual - equations * step).lpNorm<Eigen::Infinity>() <= accepted) break;
+    const double accepted = std::max(kAccepted * system.relief, kRounding);
+    const double fine = std::max(kFine * system.relief, kRounding);
+    Matrix damping(columns, columns);
+    damping.setIdentity();
+    damping *= kDamping;
+    Vector weights = Vector::Ones(rows), step;
+    Eigen::SimplicialLDLT<Matrix> factors;
+    for (int i = 0; i < kMostSolutions; ++i) {
+        const Matrix weighted = weights.asDiagonal() * equations;
+        const Matrix normal = Matrix(equations.transpose() * weighted) + damping;
+        if (i == 0) factors.analyzePattern(normal);
+        factors.factorize(normal);
+        step = factors.solve(weighted.transpose() * residual);
+        const Vector left = (residual - equations * step).cwiseAbs();
+        if (left.maxCoeff() <= fine) break;
+        if (left.maxCoeff() > accepted) {
+            weights = (left.array() > accepted).select(kMore * weights, weights);
+        } else if (step.lpNorm<Eigen::Infinity>() <= kMoved * system.relief) {
+            weights *= kMore;
+        } else {
+            break;
+        }
     }
     return {step.begin(), step.end()};
 }

@@ -13,7 +13,7 @@ struct SeamSystem {
     };
     std::vector<Entry> entries;    // a place that occurs twice adds up
     std::vector<double> residual;  // of each equation: what the unknowns' change must make up, counts
-    std::vector<bool> loose;       // of each unknown: owned by no triangle, and so free to move
+    std::size_t unknowns = 0;
     double relief = 0.0;  // counts from the lowest to the highest texel here; differences are judged by it
 };
 

@@ -213,11 +213,11 @@ SeamSystem Seams::system_on(const std::vector<std::uint32_t>& unknowns, const St
             if (found == unknowns.end() || *found != equation.texel[k]) continue;
             system.entries.push_back({row, static_cast<std::size_t>(found - unknowns.begin()), weight});
         }
+    system.unknowns = unknowns.size();
     float low = 65535.0f, high = 0.0f;
     for (const std::uint32_t texel : unknowns) {
         const Texel at = place(texel);
-        system.loose.push_back(is_loose(texel));
-        if (system.loose.back()) continue;
+        if (is_loose(texel)) continue;
         low =
             std::min(low, std::min(stroke.value(at.x, at.y), static_cast<float>(stroke.before(at.x, at.y))));
         high =

@@ -7,10 +7,10 @@
 // seam-aware decoupling of shape from mesh resolution", ACM TOG 36(6), 2017: least squares over the texels
 // that bilinear filtering reads along the seam, so that the differences of both sides at points along it
 // vanish, with a damping to the present values. Deviations: only the equations that a stroke touched are
-// solved, the rest of the map stands fixed; the damping holds texels that a triangle owns more firmly than
-// those that only filtering reads ("loose"), which start as the surface's extension of the island over the
-// seam (or, without one, as the mean of the owned texels around); differences are sampled (as the surface's
-// equations say) where they integrate them.
+// solved, the rest of the map stands fixed; texels that only filtering reads ("loose") start as the surface's
+// extension of the island over the seam (or, without one, as the mean of the owned texels around), so that
+// little is left to solve, and slopes pass; the damping is firm, and yields where heights would lie apart;
+// differences are sampled (as the surface's equations say) where they integrate them.
 #pragma once
 
 #include <cstdint>

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <tuple>
+#include <utility>
 
 #include "brushes/sculptor.h"
 #include "editor/session/surface/mesh_surface.h"
@@ -235,6 +237,33 @@ TEST(SeamSlope, a_stroke_over_a_slanted_seam_leaves_no_line) {
         EXPECT_LT(worst.seam, 0.05) << turn << ' ' << scale << ": 0.09 to 0.24 with texels' means beyond";
         EXPECT_LT(worst.mean_seam, 0.01) << turn << ' ' << scale;
         EXPECT_LE(max_seam_gap(mesh, map, Wrap::repeat, false), 10) << turn << ' ' << scale;
+    }
+}
+
+// Six islands turned and scaled anyhow; strokes over three edges and a corner, of a radius of 17, 8 and 4 texels.
+TEST(SeamSlope, strokes_over_islands_turned_anyhow_leave_no_line) {
+    const Mesh mesh = turned_box_sphere(6);
+    for (const auto& [size, most_jump, most_mean] :
+         {std::tuple(1024, 0.1, 0.001), {512, 0.1, 0.0015}, {256, 0.22, 0.007}}) {
+        HeightMap map(size, size);
+        const MeshSurface surface(mesh, displacement(kAmplitude), map);
+        Sculptor sculptor(map, surface);
+        Brush brush;
+        brush.radius = 0.2f;
+        for (const auto& [place, way] : {std::pair(glm::dvec3(1, 1, 0.2), glm::dvec3(1, -1, 0.3)),
+                                        {glm::dvec3(-1, 0.1, 1), glm::dvec3(1, 0.4, 1)},
+                                        {glm::dvec3(0.3, -1, -1), glm::dvec3(0.1, 1, -1)},
+                                        {glm::dvec3(-1, -1, 1), glm::dvec3(1, -0.3, 0.7)}}) {
+            sculptor.begin(brush);
+            for (int i = -8; i <= 8; ++i)
+                sculptor.dab(dab_near(surface, glm::normalize(place) + 0.03 * i * glm::normalize(way)));
+            sculptor.end();
+        }
+        const auto [low, high] = std::minmax_element(map.texels().begin(), map.texels().end());
+        EXPECT_LE(max_seam_gap(mesh, map, Wrap::repeat, false), 0.01 * (*high - *low)) << size;
+        const Worst worst = worst_of(slope_jumps(mesh, map, displacement(kAmplitude)));
+        EXPECT_LT(worst.seam, most_jump) << size;
+        EXPECT_LT(worst.mean_seam, most_mean) << size;
     }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
@@ -96,6 +97,27 @@ Mesh box_sphere(int a, int b, int c, unsigned order) {
         }
     }
     return builder.build();
+}
+
+Mesh turned_box_sphere(int n) {
+    Mesh mesh = box_sphere(n, n, n);
+    const std::size_t corners = mesh.uvs.size() / 6;  // of an island: each triangle has its own
+    for (std::size_t island = 0; island < 6; ++island) {
+        glm::vec2 low = mesh.uvs[island * corners], high = low;
+        for (std::size_t i = island * corners; i < (island + 1) * corners; ++i) {
+            low = glm::min(low, mesh.uvs[i]);
+            high = glm::max(high, mesh.uvs[i]);
+        }
+        const glm::vec2 centre = (low + high) * 0.5f;
+        const float angle = 0.3f + 1.1f * static_cast<float>(island);
+        const float grow = 1.2f + 0.08f * static_cast<float>(island), c = grow * std::cos(angle),
+                    s = grow * std::sin(angle);
+        for (std::size_t i = island * corners; i < (island + 1) * corners; ++i) {
+            const glm::vec2 d = mesh.uvs[i] - centre;
+            mesh.uvs[i] = centre + glm::vec2(c * d.x - s * d.y, s * d.x + c * d.y);
+        }
+    }
+    return mesh;
 }
 
 Mesh cut_strip(double turn, double scale) {

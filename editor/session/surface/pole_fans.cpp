@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "editor/session/surface/height_fit.h"
 #include "editor/session/surface/texel_classes.h"
@@ -12,7 +13,7 @@
 namespace relievo {
 namespace {
 
-constexpr std::size_t kFewestSeams = 5;
+constexpr std::size_t kFewestSeams = 3;
 constexpr double kReach = 3;    // texels from the vertex that are extended so
 constexpr double kSites = 7;    // texels from the vertex that tell what lies there
 constexpr double kNearest = 3;  // spacings from a place beyond which texels do not count
@@ -57,16 +58,45 @@ glm::dvec2 PoleFans::Fan::place(const Sector& sector, glm::dvec2 step) const {
     return glm::length(flat) * glm::dvec2(std::cos(angle), std::sin(angle));
 }
 
-// The faces in their order around the vertex; none where they do not close, or have no area.
+// The corner of a face at the vertex.
+std::size_t PoleFans::corner_at(std::uint32_t face, std::uint32_t vertex) const {
+    const auto& corners = mesh_.faces[face].position;
+    return static_cast<std::size_t>(std::find(std::begin(corners), std::end(corners), vertex) -
+                                    std::begin(corners));
+}
+
+// The faces in their order around the vertex, from the border on where they do not close; empty where they
+// are not one fan.
+std::vector<std::uint32_t> PoleFans::in_order(std::uint32_t vertex,
+                                              const std::vector<std::uint32_t>& faces) const {
+    std::map<std::uint32_t, std::uint32_t> face_from;  // by the vertex after this one
+    std::set<std::uint32_t> reached;                   // the vertices before this one
+    for (const std::uint32_t face : faces) {
+        const auto& corners = mesh_.faces[face].position;
+        const std::size_t c = corner_at(face, vertex);
+        if (!face_from.emplace(corners[(c + 1) % 3], face).second) return {};
+        if (!reached.insert(corners[(c + 2) % 3]).second) return {};
+    }
+    const auto border = std::find_if(face_from.begin(), face_from.end(),
+                                     [&](const auto& from) { return !reached.count(from.first); });
+    std::vector<std::uint32_t> order;
+    for (auto at = border == face_from.end() ? face_from.begin() : border;
+         at != face_from.end() && order.size() < faces.size();
+         at = face_from.find(mesh_.faces[order.back()].position[(corner_at(order.back(), vertex) + 2) % 3]))
+        order.push_back(at->second);
+    return order.size() == faces.size() ? order : std::vector<std::uint32_t>();
+}
+
+// None where the faces are not one fan, or have no area.
 std::optional<PoleFans::Fan> PoleFans::fan_about(std::uint32_t vertex,
                                                  const std::vector<std::uint32_t>& faces) const {
+    const std::vector<std::uint32_t> order = in_order(vertex, faces);
+    if (order.empty()) return {};
     Fan fan;
     double angle = 0;
-    std::uint32_t face = faces.front(), last = 0;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (const std::uint32_t face : order) {
         const auto& corners = mesh_.faces[face].position;
-        const auto c = static_cast<std::size_t>(std::find(std::begin(corners), std::end(corners), vertex) -
-                                                std::begin(corners));
+        const std::size_t c = corner_at(face, vertex);
         const TexelTriangle triangle = texel_triangle(mesh_, face, grid_);
         if (!can_rasterise(triangle, grid_)) return {};
         const glm::dvec3 origin(mesh_.positions[vertex]);
@@ -88,20 +118,11 @@ std::optional<PoleFans::Fan> PoleFans::fan_about(std::uint32_t vertex,
         }
         angle += std::atan2(out, along);
         fan.sectors.push_back(sector);
-        last = corners[(c + 2) % 3];
-        const auto follows = [&](std::uint32_t f) {
-            const auto& p = mesh_.faces[f].position;
-            for (std::size_t k = 0; k < 3; ++k)
-                if (p[k] == vertex && p[(k + 1) % 3] == last) return true;
-            return false;
-        };
-        const auto found = std::find_if(faces.begin(), faces.end(), follows);
-        if (found == faces.end()) return {};
-        face = *found;
-        if (face == faces.front() && i + 1 < faces.size()) return {};
     }
-    if (face != faces.front()) return {};
-    fan.turn = kCircle / angle;
+    const auto &first = mesh_.faces[order.front()].position, &last = mesh_.faces[order.back()].position;
+    const bool closed =
+        first[(corner_at(order.front(), vertex) + 1) % 3] == last[(corner_at(order.back(), vertex) + 2) % 3];
+    fan.turn = closed || angle > kCircle ? kCircle / angle : 1;
     for (Sector& sector : fan.sectors) sector.start *= fan.turn;
     return fan;
 }

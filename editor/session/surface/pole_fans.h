@@ -1,8 +1,8 @@
-// Vertices at which many islands end in points, as at the poles of a globe: about them an island is narrower
-// than a texel, so that what lies beyond its seams is not its neighbour's but that of islands further round,
-// and of those across. The faces about such a vertex are laid out in a plane, by angle and distance, turned
-// evenly so that they close, and what a texel should hold is read off a surface through all their texels near
-// it (height_fit.h).
+// Vertices at which several islands meet, as at a cube's corners, or end in points, as at the poles of a
+// globe: about them an island is narrower than a few texels, so that what lies beyond its seams is not its
+// neighbour's alone but that of islands further round, and of those across. The faces about such a vertex are
+// laid out in a plane, by angle and distance, turned evenly where they close, and what a texel should hold is
+// read off a surface through all their texels near it (height_fit.h).
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ class TexelClasses;
 
 class PoleFans {
   public:
-    // Of every vertex at which at least five seams meet that are not aligned, and whose faces close around
-    // it. All outlive this.
+    // Of every vertex at which at least three seams meet that are not aligned, and whose faces are one fan. All
+    // outlive this.
     PoleFans(const Mesh& mesh, const MapGrid& grid, const UvBorders& borders, const TexelClasses& classes);
 
     // What a texel outside `face` should hold that lies, in the texel space of the face, at `at`: empty where
@@ -45,13 +45,15 @@ class PoleFans {
     };
     struct Fan {
         std::vector<Sector> sectors;
-        double turn = 1;     // that closes the angles
+        double turn = 1;     // that closes the angles, or keeps an open fan within a circle
         double spacing = 0;  // world units: the longest step of a texel about the vertex
         std::vector<Site> sites;
 
         glm::dvec2 place(const Sector& sector, glm::dvec2 step) const;
     };
 
+    std::size_t corner_at(std::uint32_t face, std::uint32_t vertex) const;
+    std::vector<std::uint32_t> in_order(std::uint32_t vertex, const std::vector<std::uint32_t>& faces) const;
     std::optional<Fan> fan_about(std::uint32_t vertex, const std::vector<std::uint32_t>& faces) const;
     void find_sites(Fan& fan) const;
     static std::vector<SeamExtension::Source> height_at(const Fan& fan, glm::dvec2 place);

@@ -71,6 +71,7 @@ void add_seam_samples(const UvSeam& seam, const MapGrid& grid, std::vector<Texel
         const double length = at[i + 1] - at[i];
         const auto pieces = std::max(1, static_cast<int>(std::ceil(length * texels / kLongestStretch)));
         if (length * texels < kTexelSlack) continue;
+        if (i > 0) add_sample(seam, grid, at[i], sums);
         for (int k = 0; k < pieces; ++k) add_sample(seam, grid, at[i] + length * (k + 0.5) / pieces, sums);
     }
     add_sample(seam, grid, 1, sums);

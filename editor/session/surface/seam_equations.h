@@ -21,9 +21,10 @@ using TexelSum = std::vector<std::pair<std::uint32_t, double>>;
 // included.
 std::vector<double> cell_crossings(const UvSide& side);
 
-// Samples of "height on side a = height on side b": the ends, and the middle of every stretch on which
-// neither side changes its bilinear cell, cut to at most half a texel of the side with more texels. So every
-// texel that the filter reads along the seam is in some equation.
+// Samples of "height on side a = height on side b": the ends and the middle of every stretch on which neither
+// side changes its bilinear cell, cut to at most half a texel of the side with more texels. So every texel
+// that the filter reads along the seam is in some equation, and the difference, a quadratic on a stretch, is
+// nowhere much larger than in them.
 void add_seam_samples(const UvSeam& seam, const MapGrid& grid, std::vector<TexelSum>& sums);
 
 TexelSum column_sum(const SeamColumn& column);
