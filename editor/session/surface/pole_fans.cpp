@@ -13,7 +13,7 @@
 namespace relievo {
 namespace {
 
-constexpr std::size_t kFewestSeams = 3;
+constexpr std::size_t kGoesOn = 2;  // seams at a vertex that one passes
 constexpr double kReach = 3;    // texels from the vertex that are extended so
 constexpr double kSites = 7;    // texels from the vertex that tell what lies there
 constexpr double kNearest = 3;  // spacings from a place beyond which texels do not count
@@ -32,7 +32,7 @@ PoleFans::PoleFans(const Mesh& mesh, const MapGrid& grid, const UvBorders& borde
     for (const UvSeam& seam : borders.seams)
         if (!seam.aligned)
             for (const std::uint32_t vertex : seam.position) ++seams_at[vertex];
-    std::erase_if(seams_at, [](const auto& vertex) { return vertex.second < kFewestSeams; });
+    std::erase_if(seams_at, [](const auto& vertex) { return vertex.second == kGoesOn; });
     if (seams_at.empty()) return;
     std::map<std::uint32_t, std::vector<std::uint32_t>> faces_at;
     for (std::uint32_t face = 0; face < mesh.faces.size(); ++face)

@@ -1,8 +1,8 @@
-// Vertices at which several islands meet, as at a cube's corners, or end in points, as at the poles of a
-// globe: about them an island is narrower than a few texels, so that what lies beyond its seams is not its
-// neighbour's alone but that of islands further round, and of those across. The faces about such a vertex are
-// laid out in a plane, by angle and distance, turned evenly where they close, and what a texel should hold is
-// read off a surface through all their texels near it (height_fit.h).
+// Vertices at which a seam ends, several islands meet, as at a cube's corners, or many end in points, as at
+// the poles of a globe: about them an island is narrower than a few texels, so that what lies beyond its
+// seams is not its neighbour's alone but that of islands further round, and of those across. The faces about
+// such a vertex are laid out in a plane, by angle and distance, turned evenly where they close, and what a
+// texel should hold is read off a surface through all their texels near it (height_fit.h).
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ class TexelClasses;
 
 class PoleFans {
   public:
-    // Of every vertex at which at least three seams meet that are not aligned, and whose faces are one fan. All
-    // outlive this.
+    // Of every vertex at which one or at least three seams end that are not aligned, and whose faces are one
+    // fan. All outlive this.
     PoleFans(const Mesh& mesh, const MapGrid& grid, const UvBorders& borders, const TexelClasses& classes);
 
     // What a texel outside `face` should hold that lies, in the texel space of the face, at `at`: empty where
