@@ -69,12 +69,21 @@ void Recorder::with_recovery(Work work) {
     }
 }
 
+// Another window, or another program, may replace the scene's own file while the session goes on.
+void Recorder::keep_start(const fs::path& journal, BaseFile which, const StartFile& start) {
+    if (start.path.empty()) return;
+    if (start.of_scene)
+        link_base(journal, which, start.path);
+    else
+        relievo::keep_base(journal, which, start.path);
+}
+
 // A journal without the files that it must be replayed on would restore something else: there is none, then.
 void Recorder::open_recovery() {
     auto fresh = std::make_unique<JournalWriter>(new_recovery_journal(header_.scene), header_);
     try {
-        if (!start_map_.empty()) relievo::keep_base(fresh->path(), BaseFile::map, start_map_);
-        if (!start_colours_.empty()) relievo::keep_base(fresh->path(), BaseFile::colours, start_colours_);
+        keep_start(fresh->path(), BaseFile::map, start_map_);
+        keep_start(fresh->path(), BaseFile::colours, start_colours_);
     } catch (...) {
         remove_recovery(fresh->path());
         throw;

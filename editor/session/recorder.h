@@ -22,8 +22,12 @@ class Recorder {
     Recorder(const JournalHeader& header, const std::filesystem::path& journal, bool recovery);
     ~Recorder();
 
-    // Files that the recovery journal must be replayed on instead of the scene's; empty: the scene's.
-    void set_start_files(const std::filesystem::path& map, const std::filesystem::path& colours) {
+    // A file that the recovery journal is to be replayed on; empty: there is none.
+    struct StartFile {
+        std::filesystem::path path;
+        bool of_scene = true;  // else it must be kept; the scene's own is kept where that costs nothing
+    };
+    void set_start_files(const StartFile& map, const StartFile& colours) {
         start_map_ = map;
         start_colours_ = colours;
     }
@@ -33,7 +37,7 @@ class Recorder {
     void record(const JournalOp& op);
     // Call before a stroke with this image is recorded.
     void keep_alpha(const Alpha& alpha);
-    // Call before a save replaces a file that the session started from.
+    // Call before a save or an export replaces a file that the session started from.
     void keep_base(BaseFile which, const std::filesystem::path& file);
     void discard_recovery();
     std::string error() const;
@@ -43,11 +47,12 @@ class Recorder {
     template <typename Work>
     void with_recovery(Work work);
     void open_recovery();
+    static void keep_start(const std::filesystem::path& journal, BaseFile which, const StartFile& start);
     JournalOp with_kept_alpha(const JournalOp& op) const;
     JournalOp beside_journal(const JournalOp& op) const;
 
     JournalHeader header_;
-    std::filesystem::path start_map_, start_colours_;
+    StartFile start_map_, start_colours_;
     std::map<std::uint64_t, std::filesystem::path> kept_alphas_;  // beside the recovery journal, by hash
     std::vector<JournalOp> waiting_;  // for the recovery journal to be started
     bool recovery_wanted_;

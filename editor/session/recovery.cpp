@@ -25,6 +25,10 @@ fs::path base_stem(const fs::path& journal, BaseFile which) {
     return stem.replace_extension(which == BaseFile::map ? ".base" : ".colour");
 }
 
+fs::path base_path(const fs::path& journal, BaseFile which, const fs::path& kept) {
+    return base_stem(journal, which).concat(kept.extension().string());
+}
+
 // NAME.alpha-HASH.exr beside NAME.jsonl.
 std::string alpha_prefix(const fs::path& journal) {
     return journal.stem().string() + ".alpha-";
@@ -107,13 +111,18 @@ void remove_recovery(const fs::path& journal) {
     fs::remove(journal, ignored);
 }
 
-void keep_base(const fs::path& journal, BaseFile which, const fs::path& kept) {
-    if (!base_of(journal, which).empty()) return;
-    const fs::path base = base_stem(journal, which).concat(kept.extension().string());
+bool link_base(const fs::path& journal, BaseFile which, const fs::path& kept) {
+    if (!base_of(journal, which).empty()) return true;
     std::error_code error;
     const fs::path file = fs::canonical(kept, error);  // a link to a symbolic link would keep nothing
-    if (!error) fs::create_hard_link(file, base, error);
-    if (!error) return;
+    if (!error) fs::create_hard_link(file, base_path(journal, which, kept), error);
+    return !error;
+}
+
+void keep_base(const fs::path& journal, BaseFile which, const fs::path& kept) {
+    if (link_base(journal, which, kept)) return;
+    const fs::path base = base_path(journal, which, kept);
+    std::error_code error;
     // Copied under another name first: a kill in between must not leave half a map that passes for the base.
     const fs::path partial = fs::path(base).concat(".part");
     fs::copy_file(kept, partial, fs::copy_options::overwrite_existing, error);

@@ -21,7 +21,7 @@ struct AbandonedJournal {
     std::filesystem::path journal;
     std::filesystem::path scene;  // absolute
     std::filesystem::path
-        base_map;           // the map as it was before the session saved over it; empty: as the scene says
+        base_map;           // the map as it was when the session began; empty: as the scene says
     std::filesystem::path base_colours;  // the colour map, likewise
     std::size_t edits = 0;  // strokes, undos and redos since the last save
     std::filesystem::file_time_type when;  // of the last line
@@ -45,6 +45,10 @@ enum class BaseFile { map, colours };
 // system allows it, else by a copy. Does nothing when a base is kept already. Throws std::runtime_error when
 // neither works.
 void keep_base(const std::filesystem::path& journal, BaseFile which, const std::filesystem::path& file);
+
+// The same where it costs nothing, by a hard link; false where that cannot be made. Programs that replace a file leave
+// what is linked as it was.
+bool link_base(const std::filesystem::path& journal, BaseFile which, const std::filesystem::path& file);
 
 // The kept file; empty when there is none.
 std::filesystem::path base_of(const std::filesystem::path& journal, BaseFile which);

@@ -11,16 +11,12 @@ void Session::save(const fs::path& path, const fs::path& colour_path) {
     const MapFormat named = format_of(path);
     const bool both_exr = named == MapFormat::exr_float && s.file.format == MapFormat::exr_half;
     const MapFormat format = both_exr ? MapFormat::exr_half : named;
-    std::error_code ignored;
-    if (!s.start_map.empty() && fs::equivalent(path, s.start_map, ignored))
-        s.recorder->keep_base(BaseFile::map, s.start_map);
+    s.keep_start_files(path);
     if (!colour_path.empty()) {
         if (!s.colours.there())
             throw std::invalid_argument(colour_path.string() + ": there is no colour map to save");
         check_colour_path(colour_path);
-        const fs::path& start = s.colours.start_file();
-        if (!start.empty() && fs::equivalent(colour_path, start, ignored))
-            s.recorder->keep_base(BaseFile::colours, start);
+        s.keep_start_files(colour_path);
         s.colours.save(colour_path);
     }
     save_map(s.file.map, path, format, s.file.range, format == s.file.format ? s.file.origin.get() : nullptr);
@@ -44,12 +40,14 @@ void Session::export_map(const fs::path& path, MapFormat format, MapRange range)
     if (format_of(path) != format && format != MapFormat::exr_half)
         throw std::invalid_argument(path.string() +
                                     ": the extension names another format than the one that was chosen");
+    state_->keep_start_files(path);
     save_map(state_->file.map, path, format, range);
 }
 
 void Session::export_colours(const fs::path& path) const {
     state_->require_no_stroke();
     if (!state_->colours.there()) throw std::invalid_argument("there is no colour map to export");
+    state_->keep_start_files(path);
     state_->colours.save(path);
 }
 

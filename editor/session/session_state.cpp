@@ -48,7 +48,8 @@ Session::State::State(const fs::path& scene_file, const SessionOptions& given)
     if (recording && colours.there()) header.colour_hash = colours.map().hash();
     if (options.with_renderer) open_view();
     recorder = std::make_unique<Recorder>(header, options.journal, options.recovery);
-    recorder->set_start_files(options.map, options.colour_map);
+    recorder->set_start_files({start_map, options.map.empty()},
+                              {colours.start_file(), options.colour_map.empty()});
 }
 
 void Session::State::open_view() {

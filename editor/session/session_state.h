@@ -66,6 +66,16 @@ struct Session::State {
         view->upload_colours(colours.view(), painted, times);
     }
 
+    // Before `replaced` is written: the recovery journal needs what the session began with.
+    void keep_start_files(const fs::path& replaced) {
+        const auto keep = [&](BaseFile which, const fs::path& start) {
+            std::error_code ignored;
+            if (!start.empty() && fs::equivalent(replaced, start, ignored)) recorder->keep_base(which, start);
+        };
+        keep(BaseFile::map, start_map);
+        keep(BaseFile::colours, colours.start_file());
+    }
+
     // On the base mesh, and within its face.
     bool exists(const FacePoint& point) const {
         return point.face < surface->face_count() && point.b1 <= Dab::kBarycentricOne &&

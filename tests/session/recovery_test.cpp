@@ -77,7 +77,7 @@ TEST_F(Recovery, AKillInsideAStrokeLosesThatStrokeOnly) {
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].edits, 3u);
     EXPECT_EQ(found[0].scene, scene_);
-    EXPECT_TRUE(found[0].base_map.empty());
+    EXPECT_TRUE(std::filesystem::equivalent(found[0].base_map, folder_.path() / "map.tif")) << "nothing was copied";
     {
         Session session(scene_, recovering());
         replay(read_journal(found[0].journal), session);
@@ -123,6 +123,34 @@ TEST_F(Recovery, AKillAfterSavingOverTheMapReplaysOnTheOldOne) {
     const auto again = find_abandoned_journals();  // that session ended with work unsaved
     ASSERT_EQ(again.size(), 1u);
     EXPECT_EQ(restored(again[0])->map().hash(), wanted);
+}
+
+TEST_F(Recovery, AMapThatAnotherProgramReplacedIsKeptForTheJournal) {
+    const auto all = [](Session& session) {
+        sculpt(session, 1);
+        sculpt(session, 2);
+    };
+    const std::uint64_t wanted = hash_after(all);
+    run_killed([&](Session& session) {
+        sculpt(session, 1);
+        save_map(HeightMap(9, 5, 1), folder_.path() / "map.tif", MapFormat::tiff16);
+        sculpt(session, 2);
+    });
+    const auto found = find_abandoned_journals();
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(restored(found[0])->map().hash(), wanted);
+}
+
+TEST_F(Recovery, AnExportOverTheMapLeavesTheJournalWhatItNeeds) {
+    const std::uint64_t wanted = hash_after([](Session& session) { sculpt(session, 1); });
+    run_killed([&](Session& session) {
+        session.export_map(folder_.path() / "map.tif", MapFormat::tiff16, {});
+        session.export_map(folder_.path() / "map.tif", MapFormat::tiff16, {});
+        sculpt(session, 1);
+    });
+    const auto found = find_abandoned_journals();
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(restored(found[0])->map().hash(), wanted);
 }
 
 TEST_F(Recovery, EraseGoesToTheSaveOfTheKilledSession) {
