@@ -14,7 +14,7 @@ namespace {
 
 // What a user calls a setting of a table.
 std::string readable(std::string_view name) {
-    std::string text(name.starts_with("radius") ? "size" : name);
+    std::string text(name);
     if (name == "lazy_px") text = "lazy";
     if (name.ends_with("_by_pressure"))  // the label's column is narrow
         text = "pen " + text.substr(0, text.find("_by_pressure"));
@@ -41,10 +41,8 @@ void size_rows(Desk& desk) {
     StrokeSettings& settings = desk.session.stroke_settings();
     choice_row("Unit", radius_unit_names(), settings.unit,
                "What the size counts: world units, pixels on the screen, or texels of the map.");
-    if (settings.unit != RadiusUnit::world) return;
-    const float radius = desk.mesh_radius();
-    slider_row("Size", desk.session.brush().radius, {radius * 0.002f, radius * 2, true, "%.4g"},
-               "Reach of the brush on the displaced surface, in world units.");
+    const auto [value, range] = size_setting(desk);
+    slider_row("Size", value, range, "Reach of the brush on the displaced surface, in that unit.");
 }
 
 void brush_rows(Desk& desk) {
@@ -76,10 +74,9 @@ void stroke_rows(Desk& desk, bool own) {
         return own == (tools != kEveryTool) && holds(tools, desk.session.brush().tool);
     };
     for (const StrokeParameter& parameter : stroke_parameters()) {
-        const bool other_unit =
-            (parameter.value == &StrokeSettings::radius_px && settings.unit != RadiusUnit::screen) ||
-            (parameter.value == &StrokeSettings::radius_texels && settings.unit != RadiusUnit::texel);
-        if (other_unit || !shown(parameter.tools)) continue;
+        const bool is_size = parameter.value == &StrokeSettings::radius_px ||
+                             parameter.value == &StrokeSettings::radius_texels;  // in the row of its own
+        if (is_size || !shown(parameter.tools)) continue;
         const bool decades = parameter.low > 0 && parameter.high / parameter.low > 50;
         const Range range{parameter.low, parameter.high, decades, parameter.high > 20 ? "%.0f" : "%.2f"};
         slider_row(readable(parameter.name), settings.*parameter.value, range, parameter.tooltip);

@@ -12,7 +12,26 @@ namespace {
 constexpr double kOrbitPerHeight = 3.5;  // radians for a drag over the picture's height
 constexpr double kSteepestDeg = 89.5;    // the view never reaches the up vector, where left and right end
 constexpr double kZoomPerNotch = 0.88;
+constexpr double kNearest = 1e-3, kFurthest = 100;  // from look_at, over the scene's radius
 constexpr double kFrameMargin = 1.12;
+
+struct Ball {
+    glm::dvec3 centre;  // rebased
+    double radius;
+};
+
+// Holds all objects with their relief.
+Ball ball_around(const Scene& scene) {
+    glm::dvec3 low(1e300), high(-1e300);
+    double swell = 0;
+    for (const SceneObject& object : scene.objects) {
+        low = glm::min(low, glm::dvec3(object.mesh.bounds_low));
+        high = glm::max(high, glm::dvec3(object.mesh.bounds_high));
+        const Displacement& d = object.displacement;
+        swell = std::max(swell, std::abs(d.amplitude) * std::max(d.midlevel, 1 - d.midlevel));
+    }
+    return {(low + high) * 0.5, glm::length(high - low) * 0.5 + swell};
+}
 
 // Directions around the up vector: right of a viewer at `front`.
 struct Axes {
@@ -70,9 +89,14 @@ Camera panned(const Camera& camera, double dx_px, double dy_px, int height_px) {
     return moved;
 }
 
-Camera zoomed(const Camera& camera, double notches) {
+Camera zoomed(const Camera& camera, double notches, const Scene& scene) {
+    const double radius = ball_around(scene).radius;
+    const double distance = glm::length(camera.eye - camera.look_at);
+    // A scene may begin beyond the ends.
+    const double nearest = std::min(kNearest * radius, distance), furthest = std::max(kFurthest * radius, distance);
+    const double wanted = std::clamp(distance * std::pow(kZoomPerNotch, notches), nearest, furthest);
     Camera moved = camera;
-    moved.eye = camera.look_at + (camera.eye - camera.look_at) * std::pow(kZoomPerNotch, notches);
+    moved.eye = camera.look_at + (camera.eye - camera.look_at) * (wanted / distance);
     return moved;
 }
 
@@ -98,23 +122,14 @@ Camera looking_along(const Camera& camera, Axis axis) {
 }
 
 Camera framing_all(const Scene& scene, PixelSize picture) {
-    glm::dvec3 low(1e300), high(-1e300);
-    double swell = 0;
-    for (const SceneObject& object : scene.objects) {
-        low = glm::min(low, glm::dvec3(object.mesh.bounds_low));
-        high = glm::max(high, glm::dvec3(object.mesh.bounds_high));
-        const Displacement& d = object.displacement;
-        swell = std::max(swell, std::abs(d.amplitude) * std::max(d.midlevel, 1 - d.midlevel));
-    }
-    const glm::dvec3 centre = (low + high) * 0.5;
-    const double radius = glm::length(high - low) * 0.5 + swell;
+    const Ball ball = ball_around(scene);
     const Camera& camera = scene.camera;
     const double half_height = std::tan(glm::radians(camera.fov_deg) / 2);
     const double half_least =
         half_height * std::min(1.0, static_cast<double>(picture.width) / picture.height);
-    const double distance = kFrameMargin * radius / std::sin(std::atan(half_least));
+    const double distance = kFrameMargin * ball.radius / std::sin(std::atan(half_least));
     Camera framed = camera;
-    framed.look_at = centre + scene.origin;
+    framed.look_at = ball.centre + scene.origin;
     framed.eye = framed.look_at + glm::normalize(camera.eye - camera.look_at) * distance;
     return framed;
 }

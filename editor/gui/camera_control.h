@@ -9,7 +9,9 @@ namespace relievo::gui {
 // Pointer movement in pixels, right and down positive; the picture's height gives the scale.
 Camera orbited(const Camera& camera, double dx_px, double dy_px, int height_px);
 Camera panned(const Camera& camera, double dx_px, double dy_px, int height_px);  // the look_at plane follows
-Camera zoomed(const Camera& camera, double notches);                             // positive: nearer
+// Notches: positive is nearer. Where look_at is so near that its direction is lost in rounding, or the scene
+// too small to be seen, there is no way back: it ends before.
+Camera zoomed(const Camera& camera, double notches, const Scene& scene);
 
 // Another field of view (degrees, vertical), from where the plane through look_at is seen as large as before.
 Camera with_fov(const Camera& camera, double fov_deg);

@@ -4,6 +4,7 @@
 
 #include "editor/gui/desk.h"
 #include "editor/gui/layout.h"
+#include "editor/gui/widgets.h"
 
 namespace relievo::gui {
 
@@ -26,6 +27,12 @@ void draw_render_section(Desk& desk);
 // Begins the fixed window of a panel; pair with ImGui::End().
 void begin_panel(const char* name, const Box& box, float pad_x, float pad_y);
 
+// The brush's size in its unit, and its range.
+struct SizeSetting {
+    float& value;
+    Range range;
+};
+SizeSetting size_setting(Desk& desk);
 // Combos that the top bar and the side panel share; the width is the item width set before.
 void falloff_combo(Desk& desk);
 void method_combo(Desk& desk);

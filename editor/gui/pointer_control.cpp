@@ -41,7 +41,8 @@ void PointerControl::on_event(const InputEvent& event, const Box& picture, bool 
             on_release(local);
             break;
         case InputEvent::Kind::scroll:
-            if (over && !stroke_.active()) moving_camera() = zoomed(moving_camera(), event.scroll);
+            if (over && !stroke_.active())
+                moving_camera() = zoomed(moving_camera(), event.scroll, desk_->session.scene());
             break;
         case InputEvent::Kind::key:
             break;
@@ -129,7 +130,7 @@ void PointerControl::drag_camera(double dx, double dy) {
             camera = panned(camera, dx, dy, picture_height_);
             break;
         case CameraDrag::zoom:
-            camera = zoomed(camera, (dx - dy) / picture_height_ * kZoomPerHeight);
+            camera = zoomed(camera, (dx - dy) / picture_height_ * kZoomPerHeight, desk_->session.scene());
             break;
         case CameraDrag::none:
             break;
@@ -145,7 +146,7 @@ void PointerControl::drag_brush(double dx, double dy) {
         return;
     }
     Brush& brush = desk_->session.brush();
-    if (!brush_before_) brush_before_ = brush;
+    if (!brush_before_) brush_before_ = Dragged{brush, desk_->session.stroke_settings()};
     const double share = dx / picture_height_;
     if (desk_->view.brush_drag == BrushDrag::radius) {
         desk_->scale_radius(std::exp(share * kRadiusPerHeight));
@@ -167,7 +168,10 @@ void PointerControl::cancel() {
         apply_camera();
     }
     if (desk_->view.brush_drag == BrushDrag::none) return;
-    if (brush_before_) desk_->session.brush() = *brush_before_;
+    if (brush_before_) {
+        desk_->session.brush() = brush_before_->brush;
+        desk_->session.stroke_settings() = brush_before_->settings;
+    }
     brush_before_.reset();
     light_across_ = light_down_ = 0;
     if (light_before_) desk_->place_lights(light_before_->lights, light_before_->sky_up);

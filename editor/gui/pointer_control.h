@@ -51,7 +51,11 @@ class PointerControl {
     bool divider_ = false;                 // dragged
     std::optional<Camera> camera_before_;  // of a camera drag
     std::optional<Camera> camera_;         // moved, not yet given to the session
-    std::optional<Brush> brush_before_;    // of a brush drag
+    struct Dragged {
+        Brush brush;
+        StrokeSettings settings;  // which hold the size where pixels or texels count it
+    };
+    std::optional<Dragged> brush_before_;  // of a brush drag
     struct Light {
         std::vector<relievo::Light> lights;
         glm::dvec3 sky_up;

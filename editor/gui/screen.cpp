@@ -69,6 +69,7 @@ void begin_commands(VkCommandBuffer cmd) {
 
 Screen::Screen(vulkan::Context& context, Window& window)
     : context_(&context),
+      window_(&window),
       swapchain_(context, window),
       canvas_(context, swapchain_.canvas_format()),
       descriptors_(make_descriptor_pool(context.device())),
@@ -115,6 +116,9 @@ bool Screen::begin() {
     canvas_.resize(swapchain_.size());
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    // A stroke that has come over a panel by now was not begun there.
+    if (const auto at = window_->take_button_place())
+        ImGui::GetIO().MousePos = {static_cast<float>(at->x), static_cast<float>(at->y)};
     ImGui::NewFrame();
     return true;
 }

@@ -33,6 +33,7 @@ class Screen {
     void show();
 
     vulkan::Context* context_;
+    Window* window_;
     Swapchain swapchain_;
     Canvas canvas_;
     vulkan::DescriptorPoolHandle descriptors_;

@@ -104,15 +104,8 @@ std::string on_slider(bool labelled, const char* name, const char* format) {
 }
 
 void size_slider(Desk& desk, bool labelled) {
-    const float radius = desk.mesh_radius();
-    StrokeSettings& settings = desk.session.stroke_settings();
-    const auto slider = [&](float& value, const Range& range) {
-        bar_slider("##size", value, range, on_slider(labelled, "size", range.format).c_str());
-    };
-    if (settings.unit == RadiusUnit::world)
-        slider(desk.session.brush().radius, {radius * 0.002f, radius * 2, true, "%.4g"});
-    if (settings.unit == RadiusUnit::screen) slider(settings.radius_px, {1, 2000, true, "%.0f px"});
-    if (settings.unit == RadiusUnit::texel) slider(settings.radius_texels, {0.5f, 4000, true, "%.1f texels"});
+    const auto [value, range] = size_setting(desk);
+    bar_slider("##size", value, range, on_slider(labelled, "size", range.format).c_str());
     tooltip(
         "Reach of the brush on the displaced surface; its unit is chosen at the right.  [ and ] change it, F "
         "drags it.",
@@ -153,6 +146,20 @@ void view_combo(Desk& desk, bool) {
 }
 
 }  // namespace
+
+SizeSetting size_setting(Desk& desk) {
+    const float radius = desk.mesh_radius();
+    StrokeSettings& settings = desk.session.stroke_settings();
+    switch (settings.unit) {
+        case RadiusUnit::screen:
+            return {settings.radius_px, {1, 2000, true, "%.0f px"}};
+        case RadiusUnit::texel:
+            return {settings.radius_texels, {0.5f, 4000, true, "%.1f texels"}};
+        case RadiusUnit::world:
+            break;
+    }
+    return {desk.session.brush().radius, {radius * 0.002f, radius * 2, true, "%.4g"}};
+}
 
 void falloff_combo(Desk& desk) {
     Brush& brush = desk.session.brush();

@@ -49,10 +49,12 @@ struct WindowCallbacks {
         window.add({InputEvent::Kind::move});
     }
     static void button(GLFWwindow* handle, int button, int action, int mods) {
+        Window& window = window_of(handle);
         const bool press = action == GLFW_PRESS;
-        window_of(handle).follow_pen(press ? PenSample::Kind::press : PenSample::Kind::release);
-        window_of(handle).add(
-            {press ? InputEvent::Kind::press : InputEvent::Kind::release, 0, 0, 0, button, mods});
+        window.follow_pen(press ? PenSample::Kind::press : PenSample::Kind::release);
+        window.add({press ? InputEvent::Kind::press : InputEvent::Kind::release, 0, 0, 0, button, mods});
+        (press ? window.pressed_at_ : window.released_at_) = glm::dvec2(window.x_, window.y_);
+        if (press) window.released_at_.reset();
         if (ui_listens()) ImGui_ImplGlfw_MouseButtonCallback(handle, button, action, mods);
     }
     static void scroll(GLFWwindow* handle, double x, double y) {
@@ -215,6 +217,10 @@ void Window::forward_releases() {
         if (ui_listens()) ImGui_ImplGlfw_KeyCallback(handle_, key.key, key.scancode, GLFW_RELEASE, key.mods);
     held_releases_.clear();
     pressed_.clear();
+}
+
+std::optional<glm::dvec2> Window::take_button_place() {
+    return std::exchange(pressed_at_ ? pressed_at_ : released_at_, std::nullopt);
 }
 
 bool Window::close_wanted() const {

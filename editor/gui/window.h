@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <glm/vec2.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,6 +60,10 @@ class Window {
         return start_us_;
     }  // of the steady clock: where the events' times begin
 
+    // Where Dear ImGui is to see the pointer in the next frame, in window coordinates, if not where it is by then: at a
+    // press or release since the last one.
+    std::optional<glm::dvec2> take_button_place();
+
     // Files that were dropped on the window together since the last call, mostly none.
     std::vector<std::filesystem::path> take_dropped() { return std::exchange(dropped_, {}); }
 
@@ -83,6 +89,8 @@ class Window {
     // Dear ImGui 1.86 looks at keys once a frame: a key that went down and up in between must be seen down.
     std::vector<int> pressed_;               // since the last poll
     std::vector<KeyRelease> held_releases_;  // given to Dear ImGui at the next poll
+    // Nor does it ask where the pointer was when a button went down or up. Taken in this order, one a frame.
+    std::optional<glm::dvec2> pressed_at_, released_at_;
     std::uint64_t start_us_ = 0;
     double x_ = 0, y_ = 0;  // window coordinates
     double pixels_per_unit_ = 1;

@@ -3,11 +3,13 @@ map, and that the journal replays to the saved bytes."""
 import os
 import time
 
-from desktop import operations, wait_for
+from desktop import Desktop, Editor, operations, strokes, wait_for
+from hands import Hands
 from stamp_clone_test import leave_and_replay
 from window_test import STROKE, run
 
 # Places in a window of 900 x 600 pixels.
+UNIT, SIZE_LEFT = (789, 101), (715, 131)
 MORE = (788, 22)
 SYMMETRY_X = (718, 85)  # in the list behind it
 ERASE_TO = (789, 281)
@@ -90,6 +92,47 @@ def symmetry_is_behind_more_where_the_bar_is_short(case):
     leave_and_replay(case, editor)
 
 
+def a_stroke_that_comes_over_a_panel_pushes_nothing_there(case):
+    case.desktop = Desktop(case.folder)
+    # So few frames that the pointer is over the panel before the first of them after the press.
+    case.editor = Editor(case.desktop, case.relievo, case.scene, case.folder, case.journal, ["--most-fps", "2"])
+    case.editor.screenshot()
+    first = case.stroke(case.journal)["brush"]
+    hands = Hands(case.desktop.display)
+    hands.move(*STROKE[0])
+    time.sleep(0.8)
+    hands.button(1, True)
+    hands.move(*SIZE_LEFT)
+    time.sleep(1.6)
+    hands.button(1, False)
+    wait_for("the stroke", lambda: len(strokes(case.journal)) == 2)
+    assert case.stroke(case.journal)["brush"] == first
+    # The other way about, the slider gets what was meant for it.
+    hands.move(*SIZE_LEFT)
+    time.sleep(0.8)
+    hands.button(1, True)
+    hands.move(*STROKE[0])
+    hands.button(1, False)
+    time.sleep(1.6)
+    assert case.stroke(case.journal)["brush"]["radius"] < first["radius"] / 2
+    hands.close()
+    leave_and_replay(case, case.editor)
+
+
+def size_dragged_in_pixels_goes_back_with_esc(case):
+    editor = case.open(case.journal)
+    choose(case, UNIT, 1)
+    first = case.stroke(case.journal)["brush"]["radius"]
+    case.desktop.do("mousemove", *STROKE[0])
+    case.desktop.key("f")
+    case.desktop.do("mousemove", STROKE[0][0] + 150, STROKE[0][1])
+    editor.screenshot()
+    case.desktop.key("Escape")
+    assert case.stroke(case.journal)["brush"]["radius"] < 1.1 * first
+    leave_and_replay(case, editor)
+
+
 if __name__ == "__main__":
-    run((erase_goes_back_to_what_was_saved, falloff_is_drawn_by_hand,
+    run((a_stroke_that_comes_over_a_panel_pushes_nothing_there, size_dragged_in_pixels_goes_back_with_esc,
+         erase_goes_back_to_what_was_saved, falloff_is_drawn_by_hand,
          symmetry_is_behind_more_where_the_bar_is_short))

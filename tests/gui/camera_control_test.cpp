@@ -58,9 +58,26 @@ TEST(CameraControl, panMovesThePointUnderThePointerWithIt) {
 
 TEST(CameraControl, zoomInAndOutReturns) {
     const Camera before = camera_at({1, 2, 3});
-    const Camera near = zoomed(before, 7);
+    const Scene scene = scene_with_box({-1, -1, -1}, {1, 1, 1}, 0.4);
+    const Camera near = zoomed(before, 7, scene);
     EXPECT_LT(distance(near), distance(before));
-    EXPECT_NEAR(glm::length(zoomed(near, -7).eye - before.eye), 0, 1e-9);
+    EXPECT_NEAR(glm::length(zoomed(near, -7, scene).eye - before.eye), 0, 1e-9);
+}
+
+TEST(CameraControl, zoomEndsWhereThereIsAWayBack) {
+    const Scene scene = scene_with_box({-1, -1, -1}, {1, 1, 1}, 0.4);
+    const Camera before = camera_at({1, 2, 3});
+    for (const double notches : {1.0, -1.0}) {
+        Camera camera = before;
+        for (int i = 0; i < 2000; ++i) camera = zoomed(camera, notches, scene);
+        EXPECT_GT(distance(camera), 1e-4);
+        EXPECT_LT(distance(camera), 1e3);
+        const glm::dvec3 out = (camera.eye - camera.look_at) / distance(camera);
+        EXPECT_NEAR(glm::length(out - (before.eye - before.look_at) / distance(before)), 0, 1e-9);
+    }
+    const Camera far = camera_at({1e5, 0, 0});  // as its scene says
+    EXPECT_EQ(zoomed(far, -1, scene).eye, far.eye);
+    EXPECT_LT(distance(zoomed(far, 1, scene)), distance(far));
 }
 
 TEST(CameraControl, viewsAlongTheAxesTurnRoundWhenRepeated) {
