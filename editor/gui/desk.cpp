@@ -107,7 +107,7 @@ void Desk::open_file(const std::filesystem::path& path) {
                 return;
             case FileKind::map:
                 scene = scene_with_map(session.scene().path, path);
-                return;
+                return check_map(path);
             case FileKind::unknown:
                 throw std::invalid_argument(
                     path.string() +
@@ -134,6 +134,7 @@ void Desk::open_files(const std::vector<std::filesystem::path>& paths) {
             throw std::invalid_argument(
                 "Several files were dropped: drop one scene, or one mesh and one map, or one file alone");
         scene = scene_with_map(scene_of_mesh(meshes.front()), maps.front());
+        check_map(maps.front());
     });
     if (can) leave({Departure::Kind::open, scene, {}});
 }

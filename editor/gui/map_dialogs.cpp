@@ -122,7 +122,8 @@ void MapDialogs::draw_new(Desk& desk) {
     if (dialog_button(confirmed_ ? "Replace" : "Create", true) && may_write()) {
         fresh_.path = name_;
         try {
-            const fs::path scene = scene_with_new_map(desk.session.scene().path, fresh_);
+            const fs::path scene = scene_with_new_map(desk.session.scene().path, fresh_,
+                                                      desk.session.map_path().value_or(fs::path()));
             ImGui::CloseCurrentPopup();
             desk.leave({Departure::Kind::open, scene, {}});
         } catch (const std::exception& error) {

@@ -117,7 +117,11 @@ fs::path scene_with_maps(const fs::path& scene, const fs::path& map, const fs::p
     return with_map(load_scene(scene), map, colours);
 }
 
-fs::path scene_with_new_map(const fs::path& scene, const NewMap& map) {
+fs::path scene_with_new_map(const fs::path& scene, const NewMap& map, const fs::path& open) {
+    std::error_code ignored;
+    if (!open.empty() && fs::equivalent(map.path, open, ignored))
+        throw std::invalid_argument("map '" + map.path.string() +
+                                    "': is the one that is open; give the new one another name");
     const Scene from = load_scene(scene);
     const Displacement& displacement = from.objects.front().displacement;
     if (!fits(format_of(map.path), map.format))

@@ -34,7 +34,8 @@ struct NewMap {
 
 // Writes a flat map at the midlevel of the scene's edited object, and the scene with it. Throws
 // std::invalid_argument on a size out of range, an extension of another format, a map that does not fit into
-// memory, or an unwritable file.
-std::filesystem::path scene_with_new_map(const std::filesystem::path& scene, const NewMap& map);
+// memory, an unwritable file, or where it would replace `open`, the map that is being edited.
+std::filesystem::path scene_with_new_map(const std::filesystem::path& scene, const NewMap& map,
+                                         const std::filesystem::path& open = {});
 
 }  // namespace relievo

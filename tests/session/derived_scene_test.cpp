@@ -67,6 +67,23 @@ TEST_F(DerivedScene, ASceneWhoseFilesAreNotThereIsToldBeforeItIsOpened) {
     }
 }
 
+TEST_F(DerivedScene, AMapThatIsCutOffIsToldBeforeItIsOpened) {
+    save_map(HeightMap(64, 64, 7), at("map.png"), MapFormat::png16);
+    EXPECT_NO_THROW(check_map(at("map.png")));
+    fs::resize_file(at("map.png"), fs::file_size(at("map.png")) - 20);
+    EXPECT_THROW(check_map(at("map.png")), std::invalid_argument);
+    test::write_text(at("cut.json"), R"({"relievo": 1, "objects": [{"mesh": "sheet.obj",)"
+                                     R"( "displacement": {"map": "map.png"}}]})");
+    EXPECT_THROW(check_scene(at("cut.json")), std::invalid_argument);
+}
+
+TEST_F(DerivedScene, ANewMapDoesNotReplaceTheOneThatIsOpen) {
+    save_map(HeightMap(8, 8, 7), at("open.png"), MapFormat::png16);
+    EXPECT_THROW(scene_with_new_map(scene_, {at("./open.png"), 16, 8}, at("open.png")), std::invalid_argument);
+    EXPECT_EQ(load_map(at("open.png")).map.width(), 8);
+    EXPECT_NO_THROW(scene_with_new_map(scene_, {at("other.png"), 16, 8}, at("open.png")));
+}
+
 TEST_F(DerivedScene, SavedHeightsAndColoursOpenTogether) {
     save_map(HeightMap(33, 20, 7), at("other.tif"), MapFormat::tiff16);
     save_colours(ColourMap(33, 20, 16, {1, 2, 3}), at("other_colour.png"));
