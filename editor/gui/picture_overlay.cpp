@@ -24,14 +24,22 @@ ImU32 packed(const Rgb& c) {
     return IM_COL32(c.r, c.g, c.b, 255);
 }
 
-// Text on a plate, its top left corner at `at`; returns the plate's lower right corner.
-ImVec2 plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 colour) {
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const float x = points(8), y = points(4);
+void wrapped_text(ImDrawList& list, ImVec2 at, ImU32 colour, const char* text, float width) {
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, colour, text, nullptr, width);
+}
+
+ImVec2 wrapped_size(const char* text, float width) {
+    return ImGui::CalcTextSize(text, nullptr, false, width);
+}
+
+// Text on a plate, its top left corner at `at`, which is at most so wide; returns the plate's lower right corner.
+ImVec2 plate(ImDrawList& list, ImVec2 at, const std::string& text, ImU32 colour, float width) {
+    const float x = points(8), y = points(4), most = std::max(1.0f, width - 2 * x);
+    const ImVec2 size = wrapped_size(text.c_str(), most);
     const ImVec2 end(at.x + size.x + 2 * x, at.y + size.y + 2 * y);
     list.AddRectFilled(at, end, kPlate, points(4));
     list.AddRect(at, end, kPlateEdge, points(4));
-    list.AddText({at.x + x, at.y + y}, colour, text.c_str());
+    wrapped_text(list, {at.x + x, at.y + y}, colour, text.c_str(), most);
     return end;
 }
 
@@ -65,10 +73,11 @@ void pane_label(ImDrawList& list, Desk& desk, std::size_t pane, float left, floa
     const bool light = !shows_layers(desk.live.view());
     if (ms > 0) text += "   " + milliseconds(ms) + (light ? " a pass" : ", camera rays");
     list.PushClipRect({left, top}, {right, top + points(200)}, true);
-    const ImVec2 end = plate(list, {left + points(12), top + points(12)}, text, kText);
+    const float width = right - left - points(24);
+    const ImVec2 end = plate(list, {left + points(12), top + points(12)}, text, kText, width);
     if (desk.live.view() == View::error) {
         const std::string errors = error_text(desk.live.errors(pane), desk.live.reference_progress() >= 1);
-        if (!errors.empty()) plate(list, {left + points(12), end.y + points(4)}, errors, kTextDim);
+        if (!errors.empty()) plate(list, {left + points(12), end.y + points(4)}, errors, kTextDim, width);
     }
     list.PopClipRect();
 }
@@ -108,23 +117,32 @@ struct Swatch {
 constexpr std::array kSwatches{Swatch{kMissed, "missed"}, Swatch{kInvented, "invented"},
                                Swatch{kNotKnown, "not known yet"}};
 
-void swatches(ImDrawList& list, ImVec2 at) {
-    const float side = points(10);
+// In rows of at most that width; returns their height. Without a list they are only measured.
+float swatches(ImDrawList* list, ImVec2 at, float width) {
+    const float side = points(10), left = at.x, top = at.y, line = ImGui::GetTextLineHeight();
     for (const Swatch& swatch : kSwatches) {
-        const float middle = at.y + (ImGui::GetTextLineHeight() - side) / 2;
-        list.AddRectFilled({at.x, middle}, {at.x + side, middle + side}, packed(swatch.colour), points(2));
-        list.AddText({at.x + side + points(5), at.y}, kTextDim, swatch.text);
-        at.x += side + points(17) + ImGui::CalcTextSize(swatch.text).x;
+        const float need = side + points(5) + ImGui::CalcTextSize(swatch.text).x;
+        if (at.x > left && at.x + need > left + width) at = {left, at.y + line + points(3)};
+        const float middle = at.y + (line - side) / 2;
+        if (list != nullptr) {
+            list->AddRectFilled({at.x, middle}, {at.x + side, middle + side}, packed(swatch.colour), points(2));
+            list->AddText({at.x + side + points(5), at.y}, kTextDim, swatch.text);
+        }
+        at.x += need + points(12);
     }
+    return at.y + line - top;
 }
 
 void ticks(ImDrawList& list, const std::vector<Tick>& all, float left, float width, float y) {
+    float taken = left - width;  // by the numbers so far
     for (const Tick& tick : all) {
         const float x = left + width * static_cast<float>(tick.share);
         const float half = ImGui::CalcTextSize(tick.text.c_str()).x / 2;
         list.AddLine({x, y - points(4)}, {x, y}, kText, points(1));
         const float at = std::clamp(x - half, left - points(4), left + width + points(4) - 2 * half);
+        if (at < taken) continue;
         list.AddText({at, y + points(1)}, kTextDim, tick.text.c_str());
+        taken = at + 2 * half + points(4);
     }
 }
 
@@ -136,30 +154,33 @@ void colour_bar(ImDrawList& list, const LivePicture& live, const Box& picture) {
     const float line = ImGui::GetTextLineHeight(), pad = points(10), bar = points(12), gap = points(5);
     const float width = std::min(points(320), static_cast<float>(picture.width) - points(24) - 2 * pad);
     if (width < points(120)) return;
-    const float height = 2 * pad + line + gap + bar + points(5) + line + (error ? gap + line : 0);
+    const float heading = wrapped_size(title.c_str(), width).y;
+    const float legend = error ? gap + swatches(nullptr, {0, 0}, width) : 0;
+    const float height = 2 * pad + heading + gap + bar + points(5) + line + legend;
     const ImVec2 end(static_cast<float>(picture.x + picture.width) - points(12),
                      static_cast<float>(picture.y + picture.height) - points(12));
     const ImVec2 low(end.x - width - 2 * pad, end.y - height);
     list.AddRectFilled(low, end, kPlate, points(5));
     list.AddRect(low, end, kPlateEdge, points(5));
-    list.AddText({low.x + pad, low.y + pad}, kText, title.c_str());
-    const float left = low.x + pad, top = low.y + pad + line + gap;
+    wrapped_text(list, {low.x + pad, low.y + pad}, kText, title.c_str(), width);
+    const float left = low.x + pad, top = low.y + pad + heading + gap;
     for (int i = 0; i < kBarSteps; ++i) {
         const auto x = [&](int step) { return left + width * static_cast<float>(step) / kBarSteps; };
         const Rgb colour = live.scale().colour_at((i + 0.5) / kBarSteps);
         list.AddRectFilled({std::floor(x(i)), top}, {std::floor(x(i + 1)), top + bar}, packed(colour));
     }
     ticks(list, live.scale().ticks(), left, width, top + bar + points(4));
-    if (error) swatches(list, {left, top + bar + points(5) + line + gap});
+    if (error) swatches(&list, {left, top + bar + points(5) + line + gap}, width);
 }
 
 void note(ImDrawList& list, const std::string& text, const Box& picture) {
     if (text.empty()) return;
-    const float width = ImGui::CalcTextSize(text.c_str()).x + points(16);
+    const float most = static_cast<float>(picture.width) - points(24);
+    const ImVec2 size = wrapped_size(text.c_str(), std::max(1.0f, most - points(16)));
     plate(list,
-          {static_cast<float>(picture.x + picture.width) - width - points(12),
-           static_cast<float>(picture.y + picture.height) - ImGui::GetTextLineHeight() - points(20)},
-          text, kTextDim);
+          {static_cast<float>(picture.x + picture.width) - size.x - points(28),
+           static_cast<float>(picture.y + picture.height) - size.y - points(20)},
+          text, kTextDim, most);
 }
 
 }  // namespace
@@ -173,16 +194,22 @@ void draw_first_hint(const Box& picture) {
     constexpr std::array kLines{"Drag over the surface to raise it. Ctrl lowers, Shift smooths.",
                                 "Alt + drag turns it, the wheel zooms, 1 to 9 change the tool.",
                                 "Ctrl + Z undoes. F1 lists every key."};
-    float width = 0;
-    for (const char* line : kLines) width = std::max(width, ImGui::CalcTextSize(line).x);
-    const float pad = points(14), row = ImGui::GetTextLineHeightWithSpacing();
-    const float left = static_cast<float>(picture.x) + (static_cast<float>(picture.width) - width) / 2;
+    const float pad = points(14), gap = ImGui::GetStyle().ItemSpacing.y;
+    const float most = std::max(1.0f, static_cast<float>(picture.width) - 2 * pad);
+    ImVec2 size(0, 0);
+    for (const char* line : kLines) {
+        const ImVec2 text = wrapped_size(line, most);
+        size = {std::max(size.x, text.x), size.y + text.y + gap};
+    }
+    const float left = static_cast<float>(picture.x) + (static_cast<float>(picture.width) - size.x) / 2;
     const float top = static_cast<float>(picture.y) + points(16);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddRectFilled({left - pad, top}, {left + width + pad, top + row * kLines.size() + pad}, kPlate,
-                       points(6));
-    for (std::size_t i = 0; i < kLines.size(); ++i)
-        list.AddText({left, top + pad * 0.7f + row * static_cast<float>(i)}, kText, kLines[i]);
+    list.AddRectFilled({left - pad, top}, {left + size.x + pad, top + size.y + pad}, kPlate, points(6));
+    float y = top + pad * 0.7f;
+    for (const char* line : kLines) {
+        wrapped_text(list, {left, y}, kText, line, most);
+        y += wrapped_size(line, most).y + gap;
+    }
 }
 
 void draw_picture_overlay(Desk& desk, const Box& picture, bool pointer_on_divider) {

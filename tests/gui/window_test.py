@@ -348,6 +348,15 @@ def first_start_opens_the_sample_with_a_hint(case):
     case.editor.screenshot()
     case.desktop.do("mousemove", 300, 30)
     before = case.desktop.settled_screen()
+    case.desktop.do("windowsize", case.editor.window, 640, 400)
+    case.desktop.do("mousemove", 200, 300)  # off the bar and its tooltips
+    case.editor.screenshot()
+    narrow = case.desktop.screen()
+    for edge in (60, 319):  # of the picture, where nothing of the hint is bright
+        pixels = narrow.box(edge, 62, edge + 5, 135)
+        assert max(max(pixels[i::4]) for i in range(3)) < 150, f"the hint is cut off at {edge}"
+    case.desktop.do("windowsize", case.editor.window, 900, 600)
+    case.editor.screenshot()
     case.stroke(case.journal)
     case.desktop.do("mousemove", 300, 30)
     hint = (140, 66, 520, 110)
