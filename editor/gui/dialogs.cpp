@@ -119,6 +119,8 @@ FileDialog::Purpose open_purpose() {
 }
 
 void Dialogs::open(Desk& desk, Dialog dialog) {
+    if ((dialog == Dialog::save_as || dialog == Dialog::export_map) && desk.session.procedural(0))
+        return desk.toasts.info("The heights are procedural, there is no map yet: bake them first");
     switch (dialog) {
         case Dialog::none:
             return;

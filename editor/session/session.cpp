@@ -183,9 +183,7 @@ void Session::bake(const ImageSize& size) {
 void Session::make_colours(int bits) {
     State& s = *state_;
     s.require_no_stroke();
-    if (s.source)
-        throw std::invalid_argument(
-            "the heights are procedural: bake them into a map first, then paint that");
+    s.require_map("paint");
     s.colours.make(s.file.map.width(), s.file.map.height(), bits, s.scene.objects.front().material.albedo,
                    s.view != nullptr);
     ++s.colour_revision;

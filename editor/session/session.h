@@ -134,9 +134,9 @@ class Session {
     // again. Undo steps end here. std::invalid_argument when the heights are a map, or cannot be baked (bake.h).
     void bake(const ImageSize& size);
     // Writes the map. The extension names the format; metadata and exact values of the file that was loaded
-    // are kept where the format is the same. std::invalid_argument when it cannot be written: the old file
-    // stays whole. `colour_path`: where the colour map is written, too, first; empty: not at all, and it
-    // stays unsaved.
+    // are kept where the format is the same. std::invalid_argument when it cannot be written (the old file
+    // stays whole), and while the heights are procedural. `colour_path`: where the colour map is written, too,
+    // first; empty: not at all, and it stays unsaved.
     void save(const std::filesystem::path& path, const std::filesystem::path& colour_path);
     void save(const std::filesystem::path& path) { save(path, colour_path_for(path)); }
     // Where save() writes the colour map when it writes the map to `map`: its own file where the map goes to

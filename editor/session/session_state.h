@@ -66,6 +66,13 @@ struct Session::State {
         view->upload_colours(colours.view(), painted, times);
     }
 
+    // Else file.map is an exemplar, which is not what is seen.
+    void require_map(const std::string& then) const {
+        if (source)
+            throw std::invalid_argument("the heights are procedural: bake them into a map first, then " + then +
+                                        " that");
+    }
+
     // Before `replaced` is written: the recovery journal needs what the session began with.
     void keep_start_files(const fs::path& replaced) {
         const auto keep = [&](BaseFile which, const fs::path& start) {

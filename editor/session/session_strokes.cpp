@@ -52,9 +52,7 @@ float Session::world_radius(const PickHit& hit, const Ray& ray, const Ray& next_
 void Session::begin_stroke() {
     State& s = *state_;
     s.require_no_stroke();
-    if (s.source)
-        throw std::invalid_argument(
-            "the heights are procedural: bake them into a map first, then sculpt that");
+    s.require_map("sculpt");
     check_brush(s.brush);
     const bool clones = s.brush.tool == Tool::clone;
     if (clones && !s.clone_source.is_set())

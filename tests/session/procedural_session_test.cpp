@@ -40,6 +40,12 @@ TEST(ProceduralSession, StrokesAreRefusedUntilABake) {
     ASSERT_NE(session.procedural(0), nullptr);
     EXPECT_EQ(refusal([&] { session.begin_stroke(); }),
               "the heights are procedural: bake them into a map first, then sculpt that");
+    const fs::path out = folder.path() / "out.tif";  // where the exemplar would be
+    EXPECT_EQ(refusal([&] { session.save(out); }),
+              "the heights are procedural: bake them into a map first, then save that");
+    EXPECT_EQ(refusal([&] { session.export_map(out, MapFormat::tiff16, {}); }),
+              "the heights are procedural: bake them into a map first, then export that");
+    EXPECT_FALSE(fs::exists(out));
     EXPECT_FALSE(session.unsaved());
     session.bake({96, 80});
     EXPECT_EQ(session.procedural(0), nullptr);
