@@ -117,7 +117,7 @@ void draw_status_bar(Desk& desk, const Box& box) {
                                 mebibytes(desk.session.undo_budget())),
                       "Memory of the undo steps; beyond the budget, the oldest are dropped."};
     const std::string trouble = desk.session.journal_error();
-    const Item journal{trouble.empty() ? "" : "journal cannot be written", trouble, kError};
+    const Item journal{trouble.empty() ? "" : "journal incomplete", trouble, kError};
     draw_right(box, {journal, clip_item(desk), memory, stages, progress_item(desk), surface_item(desk)});
     ImGui::End();
 }

@@ -23,15 +23,15 @@ void Recorder::record(const JournalOp& op) {
     if (journal_) journal_->append(beside_journal(op));
     if (!recovery_wanted_) return;
     waiting_.push_back(op);
-    with_recovery([&] {
+    with_recovery(trouble_, [&] {
         for (const JournalOp& due : waiting_) recovery_->append(with_kept_alpha(due));
         waiting_.clear();
     });
 }
 
 void Recorder::keep_alpha(const Alpha& alpha) {
-    with_recovery(
-        [&] { kept_alphas_[alpha.hash()] = relievo::keep_alpha(recovery_->path(), alpha); });
+    with_recovery(alpha_trouble_,
+                  [&] { kept_alphas_[alpha.hash()] = relievo::keep_alpha(recovery_->path(), alpha); });
 }
 
 // Where the image could not be kept, the journal names the user's own file.
@@ -55,17 +55,24 @@ JournalOp Recorder::beside_journal(const JournalOp& op) const {
 }
 
 void Recorder::keep_base(BaseFile which, const fs::path& file) {
-    with_recovery([&] { relievo::keep_base(recovery_->path(), which, file); });
+    BaseTrouble& base = base_trouble_[which];
+    if (!base.gone) with_recovery(base.text, [&] { relievo::keep_base(recovery_->path(), which, file); });
+}
+
+void Recorder::base_replaced(BaseFile which) {
+    BaseTrouble& base = base_trouble_[which];
+    base.gone = !base.text.empty();
 }
 
 template <typename Work>
-void Recorder::with_recovery(Work work) {
+void Recorder::with_recovery(std::string& trouble, Work work) {
     if (!recovery_wanted_) return;
     try {
         if (!recovery_) open_recovery();
         work();
+        trouble.clear();
     } catch (const std::exception& error) {
-        trouble_ = error.what();
+        trouble = error.what();
     }
 }
 
@@ -89,7 +96,6 @@ void Recorder::open_recovery() {
         throw;
     }
     recovery_ = std::move(fresh);
-    trouble_.clear();
 }
 
 void Recorder::discard_recovery() {
@@ -104,7 +110,9 @@ void Recorder::discard_recovery() {
 std::string Recorder::error() const {
     if (journal_ && !journal_->error().empty()) return journal_->error();
     if (recovery_ && !recovery_->error().empty()) return recovery_->error();
-    return trouble_;
+    for (const auto& [which, base] : base_trouble_)
+        if (!base.text.empty()) return base.text;
+    return trouble_.empty() ? alpha_trouble_ : trouble_;
 }
 
 }  // namespace relievo

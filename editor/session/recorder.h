@@ -39,13 +39,22 @@ class Recorder {
     void keep_alpha(const Alpha& alpha);
     // Call before a save or an export replaces a file that the session started from.
     void keep_base(BaseFile which, const std::filesystem::path& file);
+    // Call when that is done. What could not be kept is gone: error() goes on telling so, because strokes from here on
+    // cannot be restored.
+    void base_replaced(BaseFile which);
     void discard_recovery();
     std::string error() const;
 
   private:
-    // `work` on the recovery journal, which is started first where it is wanted and not there.
+    struct BaseTrouble {
+        std::string text;   // empty: none
+        bool gone = false;  // replaced since
+    };
+
+    // `work` on the recovery journal, which is started first where it is wanted and not there. `trouble` says why that
+    // failed, and is empty where it did not.
     template <typename Work>
-    void with_recovery(Work work);
+    void with_recovery(std::string& trouble, Work work);
     void open_recovery();
     static void keep_start(const std::filesystem::path& journal, BaseFile which, const StartFile& start);
     JournalOp with_kept_alpha(const JournalOp& op) const;
@@ -57,7 +66,8 @@ class Recorder {
     std::vector<JournalOp> waiting_;  // for the recovery journal to be started
     bool recovery_wanted_;
     std::unique_ptr<JournalWriter> journal_, recovery_;
-    std::string trouble_;
+    std::string trouble_, alpha_trouble_;
+    std::map<BaseFile, BaseTrouble> base_trouble_;
 };
 
 }  // namespace relievo

@@ -127,9 +127,10 @@ void keep_base(const fs::path& journal, BaseFile which, const fs::path& kept) {
     const fs::path partial = fs::path(base).concat(".part");
     fs::copy_file(kept, partial, fs::copy_options::overwrite_existing, error);
     if (!error) fs::rename(partial, base, error);
-    if (error)
-        throw std::runtime_error(base.string() +
-                                 ": cannot keep the map for crash recovery: " + error.message());
+    if (!error) return;
+    std::error_code ignored;
+    fs::remove(partial, ignored);  // the journal needs the room that is left on a full disk
+    throw std::runtime_error(base.string() + ": cannot keep the map for crash recovery: " + error.message());
 }
 
 fs::path keep_alpha(const fs::path& journal, const Alpha& alpha) {

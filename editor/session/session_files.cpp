@@ -19,8 +19,10 @@ void Session::save(const fs::path& path, const fs::path& colour_path) {
         check_colour_path(colour_path);
         s.keep_start_files(colour_path);
         s.colours.save(colour_path);
+        s.start_files_replaced(colour_path);
     }
     save_map(s.file.map, path, format, s.file.range, format == s.file.format ? s.file.origin.get() : nullptr);
+    s.start_files_replaced(path);
     confirm_saved(path, colour_path);
 }
 
@@ -44,6 +46,7 @@ void Session::export_map(const fs::path& path, MapFormat format, MapRange range)
                                     ": the extension names another format than the one that was chosen");
     state_->keep_start_files(path);
     save_map(state_->file.map, path, format, range);
+    state_->start_files_replaced(path);
 }
 
 void Session::export_colours(const fs::path& path) const {
@@ -51,6 +54,7 @@ void Session::export_colours(const fs::path& path) const {
     if (!state_->colours.there()) throw std::invalid_argument("there is no colour map to export");
     state_->keep_start_files(path);
     state_->colours.save(path);
+    state_->start_files_replaced(path);
 }
 
 void Session::confirm_saved(const fs::path& path, const fs::path& colour_path) {

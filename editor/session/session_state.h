@@ -2,11 +2,13 @@
 // session*.cpp.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "brushes/sculptor.h"
@@ -75,12 +77,20 @@ struct Session::State {
 
     // Before `replaced` is written: the recovery journal needs what the session began with.
     void keep_start_files(const fs::path& replaced) {
-        const auto keep = [&](BaseFile which, const fs::path& start) {
-            std::error_code ignored;
-            if (!start.empty() && fs::equivalent(replaced, start, ignored)) recorder->keep_base(which, start);
-        };
-        keep(BaseFile::map, start_map);
-        keep(BaseFile::colours, colours.start_file());
+        for (const auto& [which, start] : start_files())
+            if (is_file(start, replaced)) recorder->keep_base(which, start);
+    }
+    // After `replaced` was written.
+    void start_files_replaced(const fs::path& replaced) {
+        for (const auto& [which, start] : start_files())
+            if (is_file(start, replaced)) recorder->base_replaced(which);
+    }
+    std::array<std::pair<BaseFile, fs::path>, 2> start_files() const {
+        return {{{BaseFile::map, start_map}, {BaseFile::colours, colours.start_file()}}};
+    }
+    static bool is_file(const fs::path& file, const fs::path& other) {
+        std::error_code ignored;
+        return !file.empty() && fs::equivalent(file, other, ignored);
     }
 
     // On the base mesh, and within its face.

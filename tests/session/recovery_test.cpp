@@ -2,6 +2,7 @@
 #include "editor/session/recovery.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <csignal>
@@ -151,6 +152,69 @@ TEST_F(Recovery, AnExportOverTheMapLeavesTheJournalWhatItNeeds) {
     const auto found = find_abandoned_journals();
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(restored(found[0])->map().hash(), wanted);
+}
+
+// Something in the way of links and copies stands for a full disk.
+class BlockedBase {
+  public:
+    // `journal` has a linked base, which is lost.
+    explicit BlockedBase(const std::filesystem::path& journal)
+        : base_(base_of(journal, BaseFile::map)), part_(std::filesystem::path(base_).concat(".part")) {
+        std::filesystem::remove(base_);
+        std::filesystem::create_symlink("nowhere", base_);
+        std::filesystem::create_directories(part_ / "in the way");
+    }
+    void free() { std::filesystem::remove_all(part_); }
+
+  private:
+    std::filesystem::path base_, part_;
+};
+
+std::filesystem::path only_journal() {
+    for (const auto& file : std::filesystem::directory_iterator(recovery_folder()))
+        if (file.path().extension() == ".jsonl") return file.path();
+    return {};
+}
+
+TEST_F(Recovery, AMapThatCouldNotBeKeptIsReportedUntilItIsKept) {
+    Session session(scene_, recovering());
+    sculpt(session, 1);
+    BlockedBase blocked(only_journal());
+    const auto no_colours = folder_.path() / "no_colours.png";
+    EXPECT_THROW(session.save(folder_.path() / "map.tif", no_colours), std::invalid_argument);
+    EXPECT_NE(session.journal_error(), "");
+    sculpt(session, 2);
+    EXPECT_NE(session.journal_error(), "");
+    blocked.free();
+    session.save(folder_.path() / "map.tif");
+    EXPECT_EQ(session.journal_error(), "");
+}
+
+TEST_F(Recovery, AMapThatIsGoneIsNotTakenForKept) {
+    Session session(scene_, recovering());
+    sculpt(session, 1);
+    const auto journal = only_journal();
+    BlockedBase blocked(journal);
+    session.save(folder_.path() / "map.tif");
+    blocked.free();
+    sculpt(session, 2);
+    session.save(folder_.path() / "map.tif");
+    EXPECT_NE(session.journal_error(), "");
+    EXPECT_TRUE(base_of(journal, BaseFile::map).empty()) << "that is another map";
+}
+
+TEST_F(Recovery, ACopyThatFindsNoRoomLeavesTheJournalWhatThereIs) {
+    const auto journal = folder_.path() / "a.jsonl", map = folder_.path() / "large.tif";
+    test::write_text(map, std::string(100000, 'x'));
+    std::filesystem::create_symlink("nowhere", folder_.path() / "a.base.tif");  // no link can be made
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit unlimited{};
+    getrlimit(RLIMIT_FSIZE, &unlimited);
+    const rlimit full{1000, unlimited.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &full);
+    EXPECT_THROW(keep_base(journal, BaseFile::map, map), std::runtime_error);
+    setrlimit(RLIMIT_FSIZE, &unlimited);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "a.base.tif.part"));
 }
 
 TEST_F(Recovery, EraseGoesToTheSaveOfTheKilledSession) {
