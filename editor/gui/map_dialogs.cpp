@@ -65,8 +65,7 @@ void MapDialogs::choose_name(const Desk& desk, const char* suffix) {
     const fs::path scene = desk.session.scene().path;
     const fs::path map = desk.session.map_path().value_or(scene);
     name_ = (map.parent_path() / (scene.stem().string() + suffix)).string();
-    trouble_.clear();
-    confirmed_ = false;
+    ask_anew();
 }
 
 void MapDialogs::open_new(const Desk& desk) {
@@ -89,17 +88,21 @@ void MapDialogs::name_row(MapFormat& format) {
             if (ImGui::Selectable(row.name, row.format == format)) {
                 format = row.format;
                 name_ = fs::path(name_).replace_extension(row.extension).string();
+                ask_anew();
             }
             tooltip(row.tooltip, row.name);
         }
         ImGui::EndCombo();
     }
     row_label("File");
-    if (ImGui::InputText("##file", &name_)) {
-        confirmed_ = false;
-        trouble_.clear();
-    }
+    if (ImGui::InputText("##file", &name_)) ask_anew();
     tooltip(name_, "File");
+}
+
+// Another file: consent to replace the last one is none to replace this one.
+void MapDialogs::ask_anew() {
+    confirmed_ = false;
+    trouble_.clear();
 }
 
 bool MapDialogs::may_write() {
@@ -164,7 +167,8 @@ void MapDialogs::draw_export(Desk& desk) {
     name_row(format_);
     range_rows(desk);
     note(trouble_);
-    const bool sound = std::isfinite(range_.low) && std::isfinite(range_.high) && range_.low != range_.high;
+    const bool sound = !is_float(format_) ||
+                       (std::isfinite(range_.low) && std::isfinite(range_.high) && range_.low != range_.high);
     if (dialog_button(confirmed_ ? "Replace" : "Export", true)) {
         if (!sound) {
             trouble_ = "the range must have two different, finite ends";

@@ -22,6 +22,7 @@ class MapDialogs {
     void range_rows(const Desk& desk);
     void choose_name(const Desk& desk, const char* suffix);
     void name_row(MapFormat& format);
+    void ask_anew();
     bool may_write();  // says why not, and asks once more before a file is replaced
 
     bool opening_new_ = false, opening_export_ = false;

@@ -138,16 +138,27 @@ bool push_button(const char* label, bool enabled, std::string_view text) {
     return pushed;
 }
 
-bool escape_pressed() {
+namespace {
+
+bool is_dialog(const ImGuiPopupData& popup) {
+    return popup.Window != nullptr && (popup.Window->Flags & ImGuiWindowFlags_Modal);
+}
+
+bool escape_key() {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
 }
 
-void close_list_on_escape() {
-    if (!escape_pressed()) return;
+}  // namespace
+
+bool escape_pressed() {
     const auto& open = ImGui::GetCurrentContext()->OpenPopupStack;
-    if (open.empty()) return;
-    const ImGuiWindow* window = open.back().Window;
-    if (window != nullptr && !(window->Flags & ImGuiWindowFlags_Modal))
+    const bool list_over_dialog = !open.empty() && is_dialog(open.front()) && !is_dialog(open.back());
+    return escape_key() && !list_over_dialog;
+}
+
+void close_list_on_escape() {
+    const auto& open = ImGui::GetCurrentContext()->OpenPopupStack;
+    if (escape_key() && !open.empty() && open.back().Window != nullptr && !is_dialog(open.back()))
         ImGui::ClosePopupToLevel(open.Size - 1, true);
 }
 

@@ -41,7 +41,7 @@ bool begin_modal(const char* title, float width, bool* keep = nullptr);
 bool dialog_button(const char* label, bool suggested = false);
 // The next one goes beside the last where there is room, else below.
 void beside_dialog_button();
-bool escape_pressed();
+bool escape_pressed();  // but for a list over a dialog, which alone it closes
 // Lists that unfold and pickers of colours, which Dear ImGui 1.86 leaves open. Called once a frame, after all else.
 void close_list_on_escape();
 void note(std::string_view text);  // a line about what is wrong in a dialog; it keeps its place when empty

@@ -332,6 +332,43 @@ def why_this_pixel_lists_its_ray(case):
     finish_and_replay(case, editor)
 
 
+def export_asks_for_each_file_it_would_replace(case):
+    names = {ending: os.path.join(case.folder, "maps", "asteroid-export." + ending) for ending in ("exr", "tif")}
+    for name in names.values():
+        with open(name, "w") as file:
+            file.write("another's")
+
+    def untouched(ending):
+        with open(names[ending], "rb") as file:
+            return file.read() == b"another's"
+
+    def press(name):
+        case.desktop.key(name)
+        editor.screenshot()
+
+    def click(x, y):
+        case.desktop.do("mousemove", x, y, "sleep", 0.3, "mousedown", 1, "sleep", 0.1, "mouseup", 1)
+        editor.screenshot()
+
+    formats, tiff = (450, 226), (450, 276)
+    editor = case.open(case.journal)
+    press("ctrl+e")
+    press("Return")
+    assert untouched("exr"), "it was not asked"
+    click(*formats)
+    press("Escape")  # leaves the list, not the dialog
+    click(*formats)
+    click(*tiff)
+    press("Return")
+    assert untouched("tif"), "the answer was for another file"
+    press("Return")
+    wait_for("the export", lambda: not untouched("tif"))
+    assert untouched("exr")
+    assert not operations(case.journal), "a click went through to the surface"
+    case.desktop.key("ctrl+q")
+    editor.ended()
+
+
 def finish_and_replay(case, editor):
     saved, replayed = os.path.join(case.folder, "saved.tif"), os.path.join(case.folder, "replayed.tif")
     editor.save_as(saved)
@@ -537,4 +574,4 @@ if __name__ == "__main__":
          views_show_the_surface_each_in_its_way, two_methods_side_by_side_while_sculpting,
          why_this_pixel_lists_its_ray, first_start_opens_the_sample_with_a_hint,
          views_are_kept_and_drags_cancelled, light_follows_the_pointer_until_a_click, new_map_export_and_revert,
-         painting_goes_to_a_colour_map, no_display))
+         export_asks_for_each_file_it_would_replace, painting_goes_to_a_colour_map, no_display))
