@@ -219,8 +219,13 @@ void App::handle_input() {
 }
 
 void App::handle_key(const InputEvent& event) {
-    if (event.code == GLFW_KEY_ESCAPE) return pointer_.cancel();
     const bool typing = ImGui::GetIO().WantTextInput && closing_frames_ == 0;
+    if (event.code == GLFW_KEY_ESCAPE) {
+        // Once to sculpt beside the list, again to close it.
+        const bool to_end = pointer_.dragging() || desk_.view.brush_drag != BrushDrag::none || desk_.view.asking;
+        if (!to_end && !typing && picture_free()) desk_.why.close();
+        return pointer_.cancel();
+    }
     const bool busy = pointer_.dragging() || typing || !picture_free();
     if (!busy) pointer_.apply_moves();
     on_key(desk_, event, {layout_.picture.width, layout_.picture.height}, busy);
@@ -275,6 +280,7 @@ void App::draw_over_picture() {
     desk_.why.draw_mark(list, desk_.session, picture);
     const bool divider = pointer_.drags_divider() || (over && !pointer_.dragging() && on_divider(desk_, x));
     draw_picture_overlay(desk_, picture, divider);
+    draw_dragged_value(desk_, picture, x_, y_);
     if (desk_.view.hint) draw_first_hint(picture);
     if (divider) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (over && !divider && desk_.view.asking) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

@@ -71,7 +71,7 @@ constexpr std::array kBindings{
             [](D& d, const K&) { d.set_view(next_view(d.live.view(), -1)); }},
     Binding{"C", "two methods side by side", GLFW_KEY_C, GLFW_KEY_C, 0,
             [](D& d, const K&) { d.split(!d.live.is_split()); }},
-    Binding{"F2", "a click lists what the pixel's ray met; Esc ends it", GLFW_KEY_F2, GLFW_KEY_F2, 0,
+    Binding{"F2", "a click lists what the pixel's ray met; Esc ends it, again closes the list", GLFW_KEY_F2, GLFW_KEY_F2, 0,
             [](D& d, const K&) { d.view.asking = !d.view.asking; }},
     Binding{"L", "drag lights and sky around the object; click keeps them", GLFW_KEY_L, GLFW_KEY_L, 0,
             [](D& d, const K&) { d.start_drag(BrushDrag::light); }},

@@ -9,7 +9,9 @@
 #include <cstdio>
 #include <string>
 
+#include "editor/gui/panels.h"
 #include "editor/gui/theme.h"
+#include "editor/session/text.h"
 #include "renderer/methods/registry.h"
 
 namespace relievo::gui {
@@ -183,7 +185,41 @@ void note(ImDrawList& list, const std::string& text, const Box& picture) {
           text, kTextDim, most);
 }
 
+std::string dragged_value(Desk& desk) {
+    const Brush& brush = desk.session.brush();
+    switch (desk.view.brush_drag) {
+        case BrushDrag::radius: {
+            const SizeSetting size = size_setting(desk);
+            return "size " + formatted(size.range.format, static_cast<double>(size.value));
+        }
+        case BrushDrag::strength:
+            return formatted("strength %.2f", static_cast<double>(brush.strength));
+        case BrushDrag::rotation:
+            return formatted("%.0f degrees", static_cast<double>(brush.rotation));
+        case BrushDrag::light:
+        case BrushDrag::none:
+            break;
+    }
+    return {};
+}
+
 }  // namespace
+
+void draw_dragged_value(Desk& desk, const Box& picture, double x, double y) {
+    const std::string text = dragged_value(desk);
+    if (text.empty()) return;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float width = size.x + points(17), height = size.y + points(8);
+    // Below and right of the pointer; the picture holds all of it where the pointer is near an edge or has left.
+    const auto within = [](double at, int low, int extent, float own) {
+        const auto first = static_cast<float>(low);
+        return std::clamp(static_cast<float>(at) + points(18), first,
+                          std::max(first, first + static_cast<float>(extent) - own));
+    };
+    plate(*ImGui::GetBackgroundDrawList(),
+          {within(x, picture.x, picture.width, width), within(y, picture.y, picture.height, height)}, text, kText,
+          width);
+}
 
 bool on_divider(const Desk& desk, double x) {
     return desk.live.is_split() &&

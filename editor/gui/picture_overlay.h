@@ -10,6 +10,10 @@ namespace relievo::gui {
 // `pointer_on_divider`: it is lit then.
 void draw_picture_overlay(Desk& desk, const Box& picture, bool pointer_on_divider);
 
+// Beside the pointer at (x, y), window pixels: what F, Shift+F and Alt+F are changing. A hidden interface shows it
+// nowhere else.
+void draw_dragged_value(Desk& desk, const Box& picture, double x, double y);
+
 // What a newcomer needs for a first stroke, in three lines.
 void draw_first_hint(const Box& picture);
 

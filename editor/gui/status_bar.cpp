@@ -5,13 +5,14 @@
 
 #include "editor/gui/panels.h"
 #include "editor/gui/theme.h"
+#include "editor/gui/tool_hint.h"
 #include "editor/gui/widgets.h"
 #include "editor/session/text.h"
 
 namespace relievo::gui {
 namespace {
 
-std::string tool_hint(const Desk& desk) {
+std::string hint(const Desk& desk) {
     switch (desk.view.brush_drag) {
         case BrushDrag::radius:
             return "Move to size the brush, click to keep it, Esc to leave it as it was";
@@ -26,15 +27,7 @@ std::string tool_hint(const Desk& desk) {
     }
     if (desk.session.in_stroke()) return "Esc cancels the stroke";
     if (desk.view.asking) return "Click a pixel to list what its ray met; Esc ends it";
-    if (!sculpts(desk.session.brush()))
-        return "Drag to paint; Shift smooths colours, S takes one, P goes back to heights";
-    if (desk.session.brush().tool == Tool::draw)
-        return desk.session.brush().invert ? "Drag to lower; Ctrl raises, Shift smooths"
-                                           : "Drag to raise; Ctrl lowers, Shift smooths";
-    if (desk.session.brush().tool == Tool::stamp)
-        return "Click to stamp, drag for a row; Ctrl lowers, Alt+F turns";
-    if (desk.session.brush().tool == Tool::clone) return "Ctrl+click where to copy from, then drag";
-    return "Drag to sculpt; Shift smooths, Alt orbits";
+    return tool_hint(desk.session.brush());
 }
 
 double mebibytes(std::size_t bytes) {
@@ -106,7 +99,7 @@ void draw_status_bar(Desk& desk, const Box& box) {
     ImGui::Dummy(ImVec2(points(10), ImGui::GetTextLineHeight()));
     tooltip(unsaved ? "The map has changes that are not saved." : "All is saved.");
     ImGui::SameLine();
-    ImGui::TextUnformatted(tool_hint(desk).c_str());
+    ImGui::TextUnformatted(hint(desk).c_str());
     const StageTimes& t = desk.session.times();
     const Item stages{
         formatted("edit %.1f  upload %.2f  bounds %.2f  trace %.0f ms", t.edit_ms, t.upload_ms,

@@ -329,6 +329,9 @@ def why_this_pixel_lists_its_ray(case):
     assert not operations(case.journal), operations(case.journal)
     case.desktop.drag([(150, 280), (180, 290)])
     wait_for("a stroke again", lambda: strokes(case.journal))
+    case.desktop.key("Escape")  # closes the list, which lay there
+    case.desktop.drag([(480, 250), (500, 260)])
+    wait_for("a stroke where the list was", lambda: len(strokes(case.journal)) == 2)
     finish_and_replay(case, editor)
 
 
