@@ -55,6 +55,22 @@ Mesh ribbon_mesh(int count, double width) {
     return mesh_of(positions, uvs, faces);
 }
 
+Mesh needle_fan_mesh(int needles, double width) {
+    constexpr int kBroad = 20;
+    std::vector<dvec3> positions{{0, 0, 0}};
+    std::vector<dvec2> uvs{{0.5, 0.5}};
+    std::vector<std::array<std::uint32_t, 3>> faces;
+    double angle = 0;
+    for (int i = 0; i <= needles + kBroad; ++i) {
+        const double x = std::cos(angle), y = std::sin(angle);
+        positions.emplace_back(x, y, 0.05 * std::sin(9 * angle));
+        uvs.emplace_back(0.5 + 0.5 * x, 0.5 + 0.5 * y);
+        if (i > 0) faces.push_back({0, whole(i), whole(i + 1)});
+        angle += i < needles ? width : 0.15;
+    }
+    return mesh_of(positions, uvs, faces);
+}
+
 Mesh wedge_mesh(double degrees) {
     const double half = glm::radians(degrees) / 2;
     const std::vector<dvec3> positions = {{0, 0, 0},

@@ -10,6 +10,9 @@ namespace relievo::stability {
 // The square cut into `count` strips side by side along x, of width `width` each and of two slivers each; uv
 // = the place in the ribbon.
 Mesh ribbon_mesh(int count, double width);
+// A waving disc around 0: a fan of `needles` triangles of width `width` at its rim, then of 20 broad ones; uv by
+// place.
+Mesh needle_fan_mesh(int needles, double width);
 // Two triangles on an edge along y, opened by `degrees`, smooth normals, uv by place.
 Mesh wedge_mesh(double degrees);
 // A closed prism whose cross section has a tip of `degrees` at x = 0, smooth normals.

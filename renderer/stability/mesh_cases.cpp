@@ -44,6 +44,12 @@ void add_shapes(std::vector<CaseEntry>& list) {
                         {"grazing", {0.2, -0.1, 0.12}, {0.6, 0.185, 0.06}}},
                        0.002, 0.5, dunes_map(64, 64));
     });
+    add("fan_of_needles", "needles of aspect 1e4 with a corner in common, whose normals lean, under noise", [] {
+        return on_mesh(
+            needle_fan_mesh(12, 1e-4),
+            {{"from above", {0.62, -0.1, 0.3}, {0.6, 0, 0}}, {"close", {0.8, -0.09, 0.13}, {0.6, 0, 0}}}, 0.2,
+            0.5, noise_map(53, 37));
+    });
     add("zero_area_faces", "faces with two corners at one place, or three on a line, among the others", [] {
         return on_mesh(with_zero_area_faces(ball_mesh(16, 8)), ball_views(), 0.2, 0.5,
                        ball_dunes_map(64, 32));

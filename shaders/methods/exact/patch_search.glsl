@@ -18,6 +18,7 @@ const int kPatchSteps = 8;           // of Newton
 const float kLeastPatch = 1e-4f;     // size of a patch that is not divided, of the greatest displacement
 const float kAlone = 0.7f;           // below 1: how far the Jacobian may vary, over itself, where one root stands alone
 const float kMostBorder = 1e-3f;     // texels that a root may lie outside its cell, and less where rounding allows it
+const float kMostDoubt = 0.05f;      // barycentric: how far outside its patch, likewise
 
 struct PatchFrame {      // the triangle as the ray sees it: x and y across, z along it from its origin
     vec3 p, p1, p2;      // base triangle: p + b1 p1 + b2 p2
@@ -191,6 +192,9 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
     float noise = max(0.25f * rounding, 2e-7f * size + (2e-7f + kTurnOfRounding / a.length_n) * abs(a.d) +
                                             0.5f * texel_rounding * abs(ob.amplitude) * (abs(a.g.x) + abs(a.g.y)));
     if (!root.decided && !last) return root;
+    // By so much rounding may move the root: across a sliver by more than its patches are wide, and then each would leave
+    // it to the next. What is met beyond the patch is of S no less.
+    vec2 doubt = min(gain * (rounding + noise), vec2(max(kMostDoubt, r)));
     for (int i = 0; i < kPatchSteps; ++i) {
         vec2 target = b + change, off = target - middle;
         if (!(max(abs(off.x), abs(off.y)) <= 1e6f)) return root;  // NaN too
@@ -204,13 +208,13 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
             root.b = b + change;
             root.z = a.s.z + a.s1.z * change.x + a.s2.z * change.y;
             gain = vec2(abs(a.s2.x) + abs(a.s2.y), abs(a.s1.x) + abs(a.s1.y)) * (abs(inverse) * (rounding + noise));
-            slack += min(max(gain.x, gain.y), r);
+            vec2 beside = abs(off) - max(doubt, min(vec2(max(gain.x, gain.y)), vec2(r)));
             // How far its texel moves with the ray: up a cliff hardly at all, however far its barycentrics do.
             vec2 by_x = f.tx1 * a.s2.y - f.tx2 * a.s1.y, by_y = f.tx2 * a.s1.x - f.tx1 * a.s2.x;
             vec2 moves = (abs(by_x) + abs(by_y)) * (abs(inverse) * (rounding + noise));
             vec2 place = patch_texel(f, root.b) - cell, border = min(vec2(texel_rounding) + moves, vec2(kMostBorder));
             vec2 beyond = place - clamp(place, vec2(0.0f), vec2(1.0f));
-            root.inside = max(abs(off.x), abs(off.y)) <= r + slack && abs(beyond.x) <= border.x && abs(beyond.y) <= border.y;
+            root.inside = max(beside.x, beside.y) <= r + slack && abs(beyond.x) <= border.x && abs(beyond.y) <= border.y;
             // Beyond the cell other heights hold, beyond the triangle other surface: the ray must be within rounding of the
             // last place on this side.
             float turn = cross2(f.tx1, f.tx2);
@@ -223,13 +227,14 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
             }
             return root;
         }
-        b = middle + clamp(off, vec2(-r - 2.0f * slack), vec2(r + 2.0f * slack));
+        vec2 reach = vec2(r + 2.0f * slack) + doubt;
+        b = middle + clamp(off, -reach, reach);
         a = patch_point(f, ob, quad, cell, b);
         inverse = 1.0f / cross2(vec2(a.s1.x, a.s1.y), vec2(a.s2.x, a.s2.y));
         change = vec2(a.s.x * a.s2.y - a.s.y * a.s2.x, a.s1.x * a.s.y - a.s1.y * a.s.x) * -inverse;
     }
     // Steps that end without a root, but within reach of the patch, decide nothing.
-    vec2 off = abs(b + change - middle);
+    vec2 off = abs(b + change - middle) - doubt;
     root.decided = root.decided && max(off.x, off.y) > r + 2.0f * slack;
     return root;
 }
