@@ -58,6 +58,13 @@ std::vector<CaseEntry> uv_cases() {
             return c;
         });
     }
+    add("uv_beyond_clamp_on_folds", "forty widths of a clamped map across a lump whose shell folds", [] {
+        Mesh mesh = lump_mesh();
+        for (glm::vec2& uv : mesh.uvs) uv = uv * glm::vec2(40, -25) - 7.0f;
+        MapShape map = noise_map(53, 37);
+        map.wrap = Wrap::clamp;
+        return on_mesh(mesh, {{"from outside", {1.8, -0.6, 0.9}, {0, 0, 0}}}, 0.6, 0.5, map);
+    });
     return list;
 }
 

@@ -69,10 +69,16 @@ FUNC void patch_texels(PatchFrame f, vec2 corner, float side, OUT(vec2) low, OUT
 
 // Least and greatest displacement over the patch, which covers the texels from `low` to `high`.
 FUNC vec2 patch_displacement(Primitive p, ObjectData ob, vec2 low, vec2 high) {
+    vec2 base = primitive_base(p);
+    // Beyond a clamped map's borders heights stay what they are there, while the bounds kept there are of what lies inside.
+    if (ob.clamp_wrap != 0u) {
+        vec2 last = vec2(ob.map_size) - vec2(1.0f) - base;
+        low = clamp(low, -base, last);
+        high = clamp(high, -base, last);
+    }
     vec2 extent = high - low + vec2(2e-3f), cell = floor(low);
     float most = max(extent.x, extent.y);
     if (most > power_of_two(kPyramidLevels)) return vec2(p.w_low, p.w_high);
-    vec2 base = primitive_base(p);
     vec2 values;
     if (cell.x == floor(high.x) && cell.y == floor(high.y)) {
         // Within one cell the extremes of a bilinear height are at the corners.
