@@ -14,9 +14,9 @@ namespace relievo {
 namespace {
 
 constexpr std::size_t kGoesOn = 2;  // seams at a vertex that one passes
-constexpr double kReach = 3;    // texels from the vertex that are extended so
-constexpr double kSites = 7;    // texels from the vertex that tell what lies there
-constexpr double kNearest = 3;  // spacings from a place beyond which texels do not count
+constexpr double kReach = 3;        // texels from the vertex that are extended so
+constexpr double kSites = 7;        // texels from the vertex that tell what lies there
+constexpr double kNearest = 3;      // spacings from a place beyond which texels do not count
 constexpr double kCircle = 2 * 3.14159265358979323846;
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
@@ -65,24 +65,30 @@ std::size_t PoleFans::corner_at(std::uint32_t face, std::uint32_t vertex) const 
                                     std::begin(corners));
 }
 
+// The face's corner after the one at the vertex, and the one before.
+std::uint32_t PoleFans::next_of(std::uint32_t face, std::uint32_t vertex) const {
+    return mesh_.faces[face].position[(corner_at(face, vertex) + 1) % 3];
+}
+std::uint32_t PoleFans::previous_of(std::uint32_t face, std::uint32_t vertex) const {
+    return mesh_.faces[face].position[(corner_at(face, vertex) + 2) % 3];
+}
+
 // The faces in their order around the vertex, from the border on where they do not close; empty where they
 // are not one fan.
 std::vector<std::uint32_t> PoleFans::in_order(std::uint32_t vertex,
                                               const std::vector<std::uint32_t>& faces) const {
     std::map<std::uint32_t, std::uint32_t> face_from;  // by the vertex after this one
     std::set<std::uint32_t> reached;                   // the vertices before this one
-    for (const std::uint32_t face : faces) {
-        const auto& corners = mesh_.faces[face].position;
-        const std::size_t c = corner_at(face, vertex);
-        if (!face_from.emplace(corners[(c + 1) % 3], face).second) return {};
-        if (!reached.insert(corners[(c + 2) % 3]).second) return {};
-    }
+    for (const std::uint32_t face : faces)
+        if (!face_from.emplace(next_of(face, vertex), face).second ||
+            !reached.insert(previous_of(face, vertex)).second)
+            return {};
     const auto border = std::find_if(face_from.begin(), face_from.end(),
                                      [&](const auto& from) { return !reached.count(from.first); });
     std::vector<std::uint32_t> order;
     for (auto at = border == face_from.end() ? face_from.begin() : border;
          at != face_from.end() && order.size() < faces.size();
-         at = face_from.find(mesh_.faces[order.back()].position[(corner_at(order.back(), vertex) + 2) % 3]))
+         at = face_from.find(previous_of(order.back(), vertex)))
         order.push_back(at->second);
     return order.size() == faces.size() ? order : std::vector<std::uint32_t>();
 }
@@ -119,9 +125,7 @@ std::optional<PoleFans::Fan> PoleFans::fan_about(std::uint32_t vertex,
         angle += std::atan2(out, along);
         fan.sectors.push_back(sector);
     }
-    const auto &first = mesh_.faces[order.front()].position, &last = mesh_.faces[order.back()].position;
-    const bool closed =
-        first[(corner_at(order.front(), vertex) + 1) % 3] == last[(corner_at(order.back(), vertex) + 2) % 3];
+    const bool closed = next_of(order.front(), vertex) == previous_of(order.back(), vertex);
     fan.turn = closed || angle > kCircle ? kCircle / angle : 1;
     for (Sector& sector : fan.sectors) sector.start *= fan.turn;
     return fan;

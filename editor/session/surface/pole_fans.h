@@ -53,6 +53,8 @@ class PoleFans {
     };
 
     std::size_t corner_at(std::uint32_t face, std::uint32_t vertex) const;
+    std::uint32_t next_of(std::uint32_t face, std::uint32_t vertex) const;
+    std::uint32_t previous_of(std::uint32_t face, std::uint32_t vertex) const;
     std::vector<std::uint32_t> in_order(std::uint32_t vertex, const std::vector<std::uint32_t>& faces) const;
     std::optional<Fan> fan_about(std::uint32_t vertex, const std::vector<std::uint32_t>& faces) const;
     void find_sites(Fan& fan) const;
