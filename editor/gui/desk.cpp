@@ -12,7 +12,6 @@
 #include "editor/gui/camera_control.h"
 #include "editor/session/preferences.h"
 #include "editor/session/render_output.h"
-#include "editor/session/scene_input.h"
 #include "editor/session/settings.h"
 #include "editor/session/stroke_input.h"
 #include "renderer/methods/registry.h"
@@ -101,13 +100,13 @@ void Desk::open_file(const std::filesystem::path& path) {
     const bool can = attempt([&] {
         switch (kind_of_file(path)) {
             case FileKind::scene:
-                return check_scene(path);
+                return;
             case FileKind::mesh:
                 scene = scene_of_mesh(path);
                 return;
             case FileKind::map:
                 scene = scene_with_map(session.scene().path, path);
-                return check_map(path);
+                return;
             case FileKind::unknown:
                 throw std::invalid_argument(
                     path.string() +
@@ -134,7 +133,6 @@ void Desk::open_files(const std::vector<std::filesystem::path>& paths) {
             throw std::invalid_argument(
                 "Several files were dropped: drop one scene, or one mesh and one map, or one file alone");
         scene = scene_with_map(scene_of_mesh(meshes.front()), maps.front());
-        check_map(maps.front());
     });
     if (can) leave({Departure::Kind::open, scene, {}});
 }

@@ -198,10 +198,7 @@ void Dialogs::draw_unsaved(Desk& desk) {
             unsaved_trouble_ = desk.trouble;
     }
     beside_dialog_button();
-    if (dialog_button("Don't save")) {
-        desk.session.discard_recovery();
-        depart(desk);
-    }
+    if (dialog_button("Don't save")) depart(desk);
     beside_dialog_button();
     if (dialog_button("Cancel") || escape_pressed()) {
         desk.pending.reset();

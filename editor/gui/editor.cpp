@@ -11,6 +11,7 @@
 #include "editor/gui/app.h"
 #include "editor/gui/file_dialog.h"
 #include "editor/gui/restore_progress.h"
+#include "editor/session/memory_estimate.h"
 #include "editor/session/preferences.h"
 #include "editor/session/recovery.h"
 #include "editor/session/replay.h"
@@ -76,32 +77,52 @@ std::filesystem::path sample_scene() {
     return std::filesystem::exists(scene, error) ? scene : std::filesystem::path();
 }
 
-// Opens scene after scene. A scene that cannot be opened from within the window leaves the last one open.
+// Opens `to` in the place of what is open. That is let go only when `to` is there, so that a file that cannot be opened
+// takes nothing away. Returns what went wrong, for the user. Throws where nothing is open.
+std::string change_scene(std::unique_ptr<Session>& session, const Departure& to, const SessionOptions& options,
+                         gui::Window& window) {
+    std::string message;
+    const auto let_go = [&] {
+        if (session) session->discard_recovery();  // the user was asked about what is not saved
+        session.reset();
+    };
+    try {
+        auto next = open_session(to, options, window);
+        let_go();
+        session = std::move(next);
+        remember(session->scene().path, message);
+    } catch (const MemoryShortage&) {
+        if (!session) throw;
+        const Departure back{Departure::Kind::open, session->scene().path, {}};
+        let_go();  // there may be room for one, where there is none for both
+        try {
+            message = change_scene(session, to, options, window);
+        } catch (const std::exception& trouble) {
+            session = open_session(back, options, window);
+            message = trouble.what();
+        }
+    } catch (const std::exception& trouble) {
+        if (!session) throw;
+        message = trouble.what();
+    }
+    return message;
+}
+
 void run_scenes(gui::Window& window, gui::FrameLog& log, double most_fps, Departure to,
                 SessionOptions options) {
-    std::string message;
-    bool first = true;
-    std::filesystem::path last;
+    std::unique_ptr<Session> session;
     while (to.kind != Departure::Kind::quit) {
-        std::unique_ptr<Session> session;
-        try {
-            session = open_session(to, options, window);
-            message.clear();
-        } catch (const std::exception& trouble) {
-            if (first) throw;
-            message = trouble.what();
-            session = open_session({Departure::Kind::open, last, {}}, options, window);
-        }
-        last = session->scene().path;
-        remember(last, message);
+        const bool first = !session;
+        const std::string message = change_scene(session, to, options, window);
         window.set_content_scale(load_preferences().interface_scale);
         gui::Screen screen(session->context(), window);
         gui::App app(window, screen, *session, log, most_fps, message);
-        if (std::exchange(first, false)) app.offer(find_abandoned_journals());
+        if (first) app.offer(find_abandoned_journals());
         to = app.run();
         options.journal.clear();  // the named journal records the first scene alone
         options.map.clear();
     }
+    if (session) session->discard_recovery();  // as above
 }
 
 void keep_size(gui::PixelSize size) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 #include "editor/session/text.h"
@@ -93,10 +92,9 @@ void require_memory(const fs::path& map, const MapInfo& info, const MapMemory& n
                     std::uint64_t available) {
     const std::uint64_t total = need.editing + need.passing + need.device;
     if (total <= available) return;
-    throw std::invalid_argument("map '" + map.string() + "': " + std::to_string(info.width) + " x " +
-                                std::to_string(info.height) + " texels take about " + bytes_text(total) +
-                                " of memory, " + bytes_text(available) +
-                                " are free; close other programs or take a smaller map");
+    throw MemoryShortage("map '" + map.string() + "': " + std::to_string(info.width) + " x " +
+                         std::to_string(info.height) + " texels take about " + bytes_text(total) + " of memory, " +
+                         bytes_text(available) + " are free; close other programs or take a smaller map");
 }
 
 }  // namespace relievo

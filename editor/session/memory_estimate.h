@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 
 #include "brushes/colour_file.h"
 #include "brushes/map_file.h"
@@ -27,7 +28,13 @@ MapMemory estimate_colour_memory(const ColourInfo& colours, bool with_renderer);
 // the process's own limit of address space.
 std::uint64_t available_memory();
 
-// Throws std::invalid_argument when `need` is more than `available`: names the map, its size, both amounts,
+// There is not memory enough, now.
+class MemoryShortage : public std::invalid_argument {
+  public:
+    using std::invalid_argument::invalid_argument;
+};
+
+// Throws MemoryShortage when `need` is more than `available`: names the map, its size, both amounts,
 // and what would help. Device memory counts too: the processor's own where it is the device, and where it is
 // not, copies pass through as large.
 void require_memory(const std::filesystem::path& map, const MapInfo& info, const MapMemory& need,

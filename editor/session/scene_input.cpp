@@ -27,24 +27,6 @@ Scene open_scene(const std::filesystem::path& path, const std::string& method,
     return scene;
 }
 
-void check_scene(const std::filesystem::path& path) {
-    const Scene scene = open_scene(path, "", {});
-    for (const SceneObject& object : scene.objects) {
-        const Displacement& displacement = object.displacement;
-        const auto& heights = displacement.procedural ? displacement.procedural->exemplar : displacement.map;
-        if (!heights.empty()) check_map(heights);
-        for (const auto& image : {object.material.albedo_map, object.opacity_map})
-            if (!image.empty() && !std::filesystem::exists(image))
-                throw std::invalid_argument(image.string() + ": no such file, but " + path.string() + " names it");
-    }
-}
-
-void check_map(const std::filesystem::path& path) {
-    const MapInfo info = map_info(path);
-    const MapMemory need = estimate_memory(info, false, MapBounds::none);
-    if (need.editing + need.passing <= available_memory()) load_map(path);  // beside what is open
-}
-
 LoadedMap open_map(const Displacement& displacement, const std::filesystem::path& path,
                    const MethodChoice* renderer) {
     const std::filesystem::path& file =

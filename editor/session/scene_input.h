@@ -16,16 +16,9 @@ namespace relievo {
 Scene open_scene(const std::filesystem::path& path, const std::string& method = {},
                  const std::map<std::string, double>& parameters = {});
 
-// Throws where opening the scene would, or where it names images that are not there: for asking before something else is
-// closed for it. What lacks memory is not found, nor what only the texels of the images beside the maps tell.
-void check_scene(const std::filesystem::path& path);
-
-// The same of a map: throws as load_map.
-void check_map(const std::filesystem::path& path);
-
 // The map of one object: the file `path`, or (empty) the exemplar of procedural heights, or a new flat one that
-// displaces nothing. `renderer`: one will hold it, too, by that method. Throws as load_map, and std::invalid_argument
-// before anything is loaded when memory would not do (memory_estimate.h).
+// displaces nothing. `renderer`: one will hold it, too, by that method. Throws as load_map, and MemoryShortage before
+// anything is loaded when memory would not do (memory_estimate.h).
 LoadedMap open_map(const Displacement& displacement, const std::filesystem::path& path,
                    const MethodChoice* renderer = nullptr);
 

@@ -144,22 +144,29 @@ def files_dropped_together_are_opened_together_or_not_at_all(case):
 
 def a_scene_that_cannot_be_opened_takes_nothing_away(case):
     editor = case.open(case.journal)
-    case.stroke(case.journal)
-    case.desktop.key("ctrl+s")
-    wait_for("the save", lambda: operations(case.journal)[-1]["op"] == "save")
+    case.stroke(case.journal)  # which is not saved
     bad = os.path.join(case.folder, "bad.json")
     with open(bad, "w") as file:
         json.dump({"relievo": 1, "objects": [{"mesh": "none.obj"}]}, file)
     cut = os.path.join(case.folder, "cut.png")  # which only its texels tell
     with open(case.map, "rb") as whole, open(cut, "wb") as file:
         file.write(whole.read()[:5000])
-    for path in (bad, cut):
+    coloured = os.path.join(case.folder, "coloured.json")  # what it looks like is read last
+    with open(coloured, "w") as file:
+        json.dump({"relievo": 1, "objects": [{"mesh": "meshes/asteroid.obj", "material": {"albedo_map": "cut.png"}}]},
+                  file)
+    for path in (bad, cut, coloured):
         drop(case.desktop.display, editor.window, [path])
         editor.screenshot()
+        click(case, 504, 333)  # Don't save
+        editor.screenshot()
+    assert case.recovery_journals(), "the stroke could not be restored any more"
     case.desktop.key("ctrl+z")
     wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
     case.desktop.key("ctrl+y")
     wait_for("the redo", lambda: operations(case.journal)[-1]["op"] == "redo")
+    case.desktop.key("ctrl+s")
+    wait_for("the save", lambda: operations(case.journal)[-1]["op"] == "save")
     case.desktop.key("ctrl+q")
     editor.ended()
 

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "brushes/colour_file.h"
-#include "editor/session/scene_input.h"
 #include "editor/session/session.h"
 #include "tests/session/test_scene.h"
 
@@ -53,28 +52,6 @@ TEST_F(DerivedScene, ABareMeshTakesAMapAndANewOne) {
     EXPECT_EQ(given.map_path(), at("other.tif"));
     Session made(scene_with_new_map(bare, {at("fresh.png"), 16, 8}), test::headless());
     EXPECT_EQ(made.map().height(), 8);
-}
-
-TEST_F(DerivedScene, ASceneWhoseFilesAreNotThereIsToldBeforeItIsOpened) {
-    EXPECT_NO_THROW(check_scene(scene_));
-    EXPECT_NO_THROW(check_scene(scene_of_mesh(at("sheet.obj")))) << "a new map is no file yet";
-    const std::string objects = R"({"relievo": 1, "objects": [{"mesh": "sheet.obj")";
-    for (const char* rest : {R"(, "displacement": {"map": "none.tif"}}]})", R"(, "opacity_map": "none.png"}]})",
-                             R"(, "displacement": {"map": "sheet.obj"}}]})", R"(, "colour": 1}]})",
-                             R"(}], "method": {"name": "guess"}})"}) {
-        test::write_text(at("bad.json"), objects + rest);
-        EXPECT_THROW(check_scene(at("bad.json")), std::invalid_argument) << rest;
-    }
-}
-
-TEST_F(DerivedScene, AMapThatIsCutOffIsToldBeforeItIsOpened) {
-    save_map(HeightMap(64, 64, 7), at("map.png"), MapFormat::png16);
-    EXPECT_NO_THROW(check_map(at("map.png")));
-    fs::resize_file(at("map.png"), fs::file_size(at("map.png")) - 20);
-    EXPECT_THROW(check_map(at("map.png")), std::invalid_argument);
-    test::write_text(at("cut.json"), R"({"relievo": 1, "objects": [{"mesh": "sheet.obj",)"
-                                     R"( "displacement": {"map": "map.png"}}]})");
-    EXPECT_THROW(check_scene(at("cut.json")), std::invalid_argument);
 }
 
 TEST_F(DerivedScene, ANewMapDoesNotReplaceTheOneThatIsOpen) {
