@@ -12,17 +12,16 @@ void Session::save(const fs::path& path, const fs::path& colour_path) {
     const MapFormat named = format_of(path);
     const bool both_exr = named == MapFormat::exr_float && s.file.format == MapFormat::exr_half;
     const MapFormat format = both_exr ? MapFormat::exr_half : named;
-    s.keep_start_files(path);
-    if (!colour_path.empty()) {
-        if (!s.colours.there())
-            throw std::invalid_argument(colour_path.string() + ": there is no colour map to save");
-        check_colour_path(colour_path);
-        s.keep_start_files(colour_path);
-        s.colours.save(colour_path);
-        s.start_files_replaced(colour_path);
-    }
-    save_map(s.file.map, path, format, s.file.range, format == s.file.format ? s.file.origin.get() : nullptr);
-    s.start_files_replaced(path);
+    s.replace_file(path, [&] {
+        if (!colour_path.empty()) {
+            if (!s.colours.there())
+                throw std::invalid_argument(colour_path.string() + ": there is no colour map to save");
+            check_colour_path(colour_path);
+            s.replace_file(colour_path, [&] { s.colours.save(colour_path); });
+        }
+        const MapOrigin* origin = format == s.file.format ? s.file.origin.get() : nullptr;
+        save_map(s.file.map, path, format, s.file.range, origin);
+    });
     confirm_saved(path, colour_path);
 }
 
@@ -44,17 +43,13 @@ void Session::export_map(const fs::path& path, MapFormat format, MapRange range)
     if (format_of(path) != format && format != MapFormat::exr_half)
         throw std::invalid_argument(path.string() +
                                     ": the extension names another format than the one that was chosen");
-    state_->keep_start_files(path);
-    save_map(state_->file.map, path, format, range);
-    state_->start_files_replaced(path);
+    state_->replace_file(path, [&] { save_map(state_->file.map, path, format, range); });
 }
 
 void Session::export_colours(const fs::path& path) const {
     state_->require_no_stroke();
     if (!state_->colours.there()) throw std::invalid_argument("there is no colour map to export");
-    state_->keep_start_files(path);
-    state_->colours.save(path);
-    state_->start_files_replaced(path);
+    state_->replace_file(path, [&] { state_->colours.save(path); });
 }
 
 void Session::confirm_saved(const fs::path& path, const fs::path& colour_path) {

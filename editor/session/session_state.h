@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -75,15 +76,13 @@ struct Session::State {
                                         " that");
     }
 
-    // Before `replaced` is written: the recovery journal needs what the session began with.
-    void keep_start_files(const fs::path& replaced) {
+    // `write` writes `file`. Where the session began with that, the recovery journal keeps it first.
+    void replace_file(const fs::path& file, const std::function<void()>& write) {
         for (const auto& [which, start] : start_files())
-            if (is_file(start, replaced)) recorder->keep_base(which, start);
-    }
-    // After `replaced` was written.
-    void start_files_replaced(const fs::path& replaced) {
+            if (is_file(start, file)) recorder->keep_base(which, start);
+        write();
         for (const auto& [which, start] : start_files())
-            if (is_file(start, replaced)) recorder->base_replaced(which);
+            if (is_file(start, file)) recorder->base_replaced(which);
     }
     std::array<std::pair<BaseFile, fs::path>, 2> start_files() const {
         return {{{BaseFile::map, start_map}, {BaseFile::colours, colours.start_file()}}};

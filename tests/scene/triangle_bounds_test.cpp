@@ -8,6 +8,8 @@
 #include <random>
 #include <set>
 
+#include "tests/support/scenes.h"
+
 namespace relievo {
 namespace {
 
@@ -22,9 +24,7 @@ struct Map {
     std::uint16_t at(int x, int y) const { return texels[static_cast<std::size_t>(y * width + x)]; }
 };
 
-int wrapped(int i, int size, Wrap wrap) {
-    return wrap == Wrap::clamp ? std::clamp(i, 0, size - 1) : ((i % size) + size) % size;
-}
+using test::wrapped;
 
 using Triangle = std::array<glm::vec2, 3>;
 
