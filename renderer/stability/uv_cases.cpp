@@ -58,12 +58,19 @@ std::vector<CaseEntry> uv_cases() {
             return c;
         });
     }
-    add("uv_beyond_clamp_on_folds", "forty widths of a clamped map across a lump whose shell folds", [] {
+    const auto folds_beyond_clamp = [](const glm::vec2& scale, MapShape map) {
         Mesh mesh = lump_mesh();
-        for (glm::vec2& uv : mesh.uvs) uv = uv * glm::vec2(40, -25) - 7.0f;
-        MapShape map = noise_map(53, 37);
+        for (glm::vec2& uv : mesh.uvs) uv = uv * scale - 7.0f;
         map.wrap = Wrap::clamp;
         return on_mesh(mesh, {{"from outside", {1.8, -0.6, 0.9}, {0, 0, 0}}}, 0.6, 0.5, map);
+    };
+    add("uv_beyond_clamp_on_folds", "forty widths of a clamped map across a lump whose shell folds", [=] {
+        return folds_beyond_clamp({40, -25}, noise_map(53, 37));
+    });
+    add("uv_beyond_clamp_on_rough_folds", "the same, thousands of texels under each triangle", [=] {
+        Case c = folds_beyond_clamp({45, 36}, noise_map(512, 512));
+        c.size = 32;
+        return c;
     });
     return list;
 }

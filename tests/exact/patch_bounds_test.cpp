@@ -18,6 +18,7 @@ using namespace shader_in_float;
 
 using glm::dvec2;
 using glm::dvec3;
+using glm::dvec4;
 
 class Trial {
   public:
@@ -41,10 +42,12 @@ class Trial {
             const vec2 texel = patch_texel(frame_, vec2(b));
             const float value = map_value(0, primitive_base(primitive_), texel);
             const dvec3 s = surface(b, displacement(subject.object, value));
-            ASSERT_TRUE(glm::all(glm::greaterThanEqual(s, dvec3(box.low) - rounding)) &&
-                        glm::all(glm::lessThanEqual(s, dvec3(box.high) + rounding)))
-                << s.x << " " << s.y << " " << s.z << " leaves " << box.low.x << " " << box.low.y << " "
-                << box.low.z << " to " << box.high.x << " " << box.high.y << " " << box.high.z;
+            const dvec4 at(s, s.x * double{box.across.x} + s.y * double{box.across.y});
+            ASSERT_TRUE(glm::all(glm::greaterThanEqual(at, dvec4(box.low) - rounding)) &&
+                        glm::all(glm::lessThanEqual(at, dvec4(box.high) + rounding)))
+                << at.x << " " << at.y << " " << at.z << " " << at.w << " leaves " << box.low.x << " "
+                << box.low.y << " " << box.low.z << " " << box.low.w << " to " << box.high.x << " " << box.high.y
+                << " " << box.high.z << " " << box.high.w;
         }
     }
 

@@ -2,9 +2,10 @@
 // path of a ray through the shell is torn: by subdivision of the base triangle with bounds, as renderer/reference does
 // it in double, in single precision and with bounds that are cheap.
 //
-// A patch is a square of barycentrics. Over it S = P + D N/|N| lies in the hull of P_i + D_low N_i/l and P_i + D_high N_i/l
-// at its corners, l the middle of the lengths that N takes, grown by max|D| (l_high - l_low)/(l_high + l_low). Patches
-// whose box (along the ray and across it) the ray misses are dropped. A patch of at most a texel is
+// A patch is a square of barycentrics. Over it S = P + e N, e = D/|N|: linear in e and, for each e, in the barycentrics, it
+// lies in the hull of P_i + e_low N_i and P_i + e_high N_i at the patch's corners. Patches whose hull the ray passes, along
+// the axes of its frame or across the columns that the patch's own normals make as the ray sees them, are dropped: where
+// columns are high and lean away from the triangle's, only the last tells those apart. A patch of at most a texel is
 // solved by Newton on S, cell by cell, so that what is solved is smooth, where bounds of the Jacobian say that it holds one
 // root at most (Krawczyk 1969); else it is divided on. No stack: the patch's place among those of its depth is a Morton
 // code, its bits turned so that the base triangle's near side comes first: what lies behind a hit is not divided.
@@ -26,8 +27,9 @@ struct PatchFrame {      // the triangle as the ray sees it: x and y across, z a
     vec2 tx, tx1, tx2;   // texels relative to the primitive's base
 };
 
-struct PatchBox {
-    vec3 low, high;      // the ray's frame
+struct PatchBox {        // what the hull spans
+    vec4 low, high;      // in the ray's frame; w: along `across`
+    vec2 across;         // unit, across the ray and the columns over the patch's middle; 0 where the ray looks along them
 };
 
 struct PatchRoot {
@@ -99,37 +101,42 @@ FUNC vec2 patch_displacement(Primitive p, ObjectData ob, vec2 low, vec2 high) {
     return vec2(max(min(d0, d1), p.w_low), min(max(d0, d1), p.w_high));
 }
 
-FUNC void hold(vec3 base, vec3 normal, vec2 d, INOUT(vec3) low, INOUT(vec3) high) {
-    vec3 a = base + normal * d.x, b = base + normal * d.y;
-    low = min(low, min(a, b));
-    high = max(high, max(a, b));
+FUNC vec4 with_across(vec3 v, vec2 across) { return vec4(v.x, v.y, v.z, v.x * across.x + v.y * across.y); }
+
+FUNC void hold(vec4 base, vec4 normal, vec2 e, INOUT(PatchBox) box) {
+    vec4 a = base + normal * e.x, b = base + normal * e.y;
+    box.low = min(box.low, min(a, b));
+    box.high = max(box.high, max(a, b));
 }
 
 FUNC PatchBox patch_box(PatchFrame f, vec2 corner, float side, vec2 d) {
-    vec3 n0 = f.n + f.n1 * corner.x + f.n2 * corner.y, n1 = f.n1 * side, n2 = f.n2 * side;
-    vec3 p0 = f.p + f.p1 * corner.x + f.p2 * corner.y, p1 = f.p1 * side, p2 = f.p2 * side;
-    float spread = 0.5f * max(length(n1 + n2), length(n1 - n2)), middle = length(n0 + (n1 + n2) * 0.5f);
-    float shortest = middle - spread, longest = max(max(length(n0), length(n0 + n1)), max(length(n0 + n2), length(n0 + n1 + n2)));
-    float most = max(abs(d.x), abs(d.y));
+    vec3 n0 = f.n + f.n1 * corner.x + f.n2 * corner.y, n1 = f.n1 * side, n2 = f.n2 * side, middle = n0 + (n1 + n2) * 0.5f;
+    float spread = 0.5f * max(length(n1 + n2), length(n1 - n2)), shortest = length(middle) - spread;
+    float longest = max(max(length(n0), length(n0 + n1)), max(length(n0 + n2), length(n0 + n1 + n2)));
     bool pointed = shortest > kLeastLength;
-    float scale = pointed ? 2.0f / (shortest + longest) : 0.0f;
-    // Where N is short, rounding turns it.
-    vec3 radius = vec3(most * (pointed ? (longest - shortest) * 0.5f * scale + kTurnOfRounding / shortest : 1.0f));
-    vec2 range = d * scale;
+    vec2 e = pointed ? vec2(d.x / (d.x < 0.0f ? shortest : longest), d.y / (d.y > 0.0f ? shortest : longest)) : vec2(0.0f);
     PatchBox box;
-    box.low = vec3(1e30f);
-    box.high = vec3(-1e30f);
-    hold(p0, n0, range, box.low, box.high);
-    hold(p0 + p1, n0 + n1, range, box.low, box.high);
-    hold(p0 + p2, n0 + n2, range, box.low, box.high);
-    hold(p0 + p1 + p2, n0 + n1 + n2, range, box.low, box.high);
+    float seen = length(vec2(middle.x, middle.y));
+    box.across = vec2(-middle.y, middle.x) * (seen > 1e-6f ? 1.0f / seen : 0.0f);
+    box.low = vec4(1e30f);
+    box.high = vec4(-1e30f);
+    vec4 p0 = with_across(f.p + f.p1 * corner.x + f.p2 * corner.y, box.across);
+    vec4 p1 = with_across(f.p1 * side, box.across), p2 = with_across(f.p2 * side, box.across);
+    vec4 m0 = with_across(n0, box.across), m1 = with_across(n1, box.across), m2 = with_across(n2, box.across);
+    hold(p0, m0, e, box);
+    hold(p0 + p1, m0 + m1, e, box);
+    hold(p0 + p2, m0 + m2, e, box);
+    hold(p0 + p1 + p2, m0 + m1 + m2, e, box);
+    // Where N is short, rounding turns it.
+    vec4 radius = vec4(max(abs(d.x), abs(d.y)) * (pointed ? kTurnOfRounding / shortest : 1.0f));
     box.low = box.low - radius;
     box.high = box.high + radius;
     return box;
 }
 
 FUNC bool box_met(PatchBox box, float rounding, float z_min, float z_max) {
-    return max(box.low.x, box.low.y) <= rounding && min(box.high.x, box.high.y) >= -rounding &&
+    return max(max(box.low.x, box.low.y), box.low.w) <= rounding &&
+           min(min(box.high.x, box.high.y), box.high.w) >= -rounding &&
            box.low.z - rounding <= z_max && box.high.z + rounding >= z_min;
 }
 
@@ -287,7 +294,7 @@ FUNC bool search_patches(Primitive p, PrimitiveNormals n, ObjectData ob, vec3 o,
             PatchBox box = patch_box(f, corner, side, range);
             note(kNoteStep, 0.0f, patch_texel(f, corner), range.y, side * texels);
             if (box_met(box, rounding, t_min, hit.t)) {
-                vec3 size = box.high - box.low;
+                vec4 size = box.high - box.low;
                 bool last = depth == kPatchDepth || max(max(size.x, size.y), size.z) <= least;
                 down = !last;
                 if (last || side * texels <= kPatchTexels) {
