@@ -110,6 +110,15 @@ void in_ball(const Work& work, const Each& each) {
     });
 }
 
+// What smooth looks at: the averages take in a margin around the brush, and where it covers only a few
+// texels, their neighbourhood.
+struct SmoothedBall {
+    float reach;  // world units
+    std::vector<SurfaceTexel> texels;
+};
+SmoothedBall smoothed_ball(const Surface& surface, glm::vec3 centre, float radius);
+void smooth(const Work& work, const SmoothedBall& ball);
+
 void draw(const Work& work);
 void inflate(const Work& work);
 void noise(const Work& work);

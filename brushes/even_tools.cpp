@@ -35,17 +35,20 @@ float grid_mean(const Work& work, const TexelRect& map, const SurfaceTexel& texe
 
 }  // namespace
 
-void smooth(const Work& work) {
-    // The averages take in a margin around the brush, and where it covers only a few texels, their
-    // neighbourhood.
+SmoothedBall smoothed_ball(const Surface& surface, glm::vec3 centre, float radius) {
     constexpr std::size_t kFewTexels = 24;
-    const float radius = work.place.radius;
-    float reach = 1.25f * radius;
-    std::vector<SurfaceTexel> texels = work.texels(reach);
-    for (int doubled = 0; doubled < 4 && texels.size() < kFewTexels; ++doubled)
-        texels = work.texels(reach *= 2.0f);
+    SmoothedBall ball{1.25f * radius, {}};
+    surface.texels_in_ball(centre, ball.reach, ball.texels);
+    for (int doubled = 0; doubled < 4 && ball.texels.size() < kFewTexels; ++doubled)
+        surface.texels_in_ball(centre, ball.reach *= 2.0f, ball.texels);
+    return ball;
+}
+
+void smooth(const Work& work, const SmoothedBall& ball) {
+    const auto& [reach, texels] = ball;
     if (texels.empty()) return;
 
+    const float radius = work.place.radius;
     const float texel_spacing = reach * std::sqrt(3.14159265f / static_cast<float>(texels.size()));
     const float cell = std::clamp(2.0f * texel_spacing, 0.25f * radius, std::max(reach, 0.25f * radius));
     LowPass average(work.place.centre.position, reach, cell);
@@ -57,6 +60,10 @@ void smooth(const Work& work) {
             (average.fetch(t.position, work.is_back(t)) - work.value(t)) * work.weight_of_step(t);
         work.change_to(t, work.change(t) + step);
     }
+}
+
+void smooth(const Work& work) {
+    smooth(work, smoothed_ball(work.surface, work.place.centre.position, work.place.radius));
 }
 
 namespace {

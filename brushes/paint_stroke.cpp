@@ -27,22 +27,39 @@ PaintStroke::PaintStroke(const Brush& brush, const Alpha* alpha, ColourMap& map,
         planes_[k] = std::make_unique<StrokeTiles>(map.plane(k), map.step());
 }
 
-// Sorts by (y, x), and leaves each texel its largest weight.
-void PaintStroke::keep_largest(std::vector<Weight>& weights) {
-    std::sort(weights.begin(), weights.end(), [](const Weight& a, const Weight& b) {
-        return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : a.of_way > b.of_way;
-    });
-    const auto same_texel = [](const Weight& a, const Weight& b) { return a.x == b.x && a.y == b.y; };
-    weights.erase(std::unique(weights.begin(), weights.end(), same_texel), weights.end());
+// Of two lists, each sorted by (y, x) and with each texel once, one such list with each texel's larger
+// weight.
+std::vector<PaintStroke::Weight> PaintStroke::merged(const std::vector<Weight>& a,
+                                                     const std::vector<Weight>& b) {
+    const auto before = [](const Weight& p, const Weight& q) { return p.y != q.y ? p.y < q.y : p.x < q.x; };
+    std::vector<Weight> both;
+    both.reserve(a.size() + b.size());
+    auto from_a = a.begin(), from_b = b.begin();
+    while (from_a != a.end() && from_b != b.end()) {
+        if (before(*from_a, *from_b)) {
+            both.push_back(*from_a++);
+        } else if (before(*from_b, *from_a)) {
+            both.push_back(*from_b++);
+        } else {
+            both.push_back(from_a->of_way > from_b->of_way ? *from_a : *from_b);
+            ++from_a, ++from_b;
+        }
+    }
+    both.insert(both.end(), from_a, a.end());
+    both.insert(both.end(), from_b, b.end());
+    return both;
 }
 
 // Sorted by (y, x), each texel once.
 std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> places, float pressure,
                                                       const HeightMap* mask, std::size_t at_once) const {
-    constexpr std::size_t kFew = std::size_t{1} << 20;  // that may wait for the end
     std::mutex mutex;
-    std::vector<Weight> all;
-    std::size_t most = kFew;
+    std::vector<std::vector<Weight>> lists;  // each more than twice as long as the next
+    const auto merge_last_two = [&lists] {
+        std::vector<Weight> last = std::move(lists.back());
+        lists.pop_back();
+        lists.back() = merged(lists.back(), last);
+    };
     const auto of_place = [&](std::size_t i) {
         const Place& place = places[i];
         const glm::vec3 centre = place.centre.position;
@@ -65,37 +82,38 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
         } else {
             place.surface.visit_ball(centre, place.radius, weigh);
         }
-        if (places.size() == 1) {
-            all = std::move(own);
-            return;
-        }
         const std::lock_guard lock(mutex);
-        all.insert(all.end(), own.begin(), own.end());
-        if (all.size() < most) return;
-        keep_largest(all);
-        most = std::max(kFew, 2 * all.size());
+        lists.push_back(std::move(own));
+        while (lists.size() > 1 && lists[lists.size() - 2].size() <= 2 * lists.back().size())
+            merge_last_two();
     };
     share_work(places.size(), of_place, at_once);
-    if (places.size() > 1) keep_largest(all);
-    return all;
+    while (lists.size() > 1) merge_last_two();
+    return std::move(lists.front());
 }
 
 void PaintStroke::smooth_planes(std::span<const Place> places, float pressure, const HeightMap* mask,
                                 std::size_t at_once) {
-    for (auto& plane : planes_) {
-        CopyChanges wanted(places.size(), false, *plane);
-        const auto work_out = [&](std::size_t i) {
-            const Place& place = places[i];
-            std::shared_ptr<Hold> nothing_held;
-            const DabPlace at{place.centre, pressure, place.radius, glm::vec3(0),
-                              glm::vec3(0), 1.0f,     nothing_held};
+    // The texels of a place are looked for once for the three channels, which do not move the surface.
+    std::array<std::optional<CopyChanges>, 3> wanted;
+    for (std::size_t k = 0; k < planes_.size(); ++k)
+        wanted[k].emplace(places.size(), false, *planes_[k], CopyChanges::kWaiting / planes_.size());
+    const auto work_out = [&](std::size_t i) {
+        const Place& place = places[i];
+        std::shared_ptr<Hold> nothing_held;
+        const DabPlace at{place.centre, pressure, place.radius, glm::vec3(0),
+                          glm::vec3(0), 1.0f,     nothing_held};
+        const SmoothedBall ball = smoothed_ball(place.surface, place.centre.position, place.radius);
+        for (std::size_t k = 0; k < planes_.size(); ++k) {
             std::vector<TexelChange> changes;
-            smooth({brush_, at, place.surface, seams_, *plane, mask, 1.0, changes});
-            wanted.add(i, std::move(changes));
-        };
-        share_work(places.size(), work_out, at_once);
-        wanted.apply();
-        seams_.follow(*plane, Across::values);
+            smooth({brush_, at, place.surface, seams_, *planes_[k], mask, 1.0, changes}, ball);
+            wanted[k]->add(i, std::move(changes));
+        }
+    };
+    share_work(places.size(), work_out, at_once);
+    for (std::size_t k = 0; k < planes_.size(); ++k) {
+        wanted[k]->apply();
+        seams_.follow(*planes_[k], Across::values);
     }
 }
 

@@ -54,7 +54,7 @@ class PaintStroke {
         std::int32_t x, y;
         float of_way;  // [0, 1]
     };
-    static void keep_largest(std::vector<Weight>& weights);
+    static std::vector<Weight> merged(const std::vector<Weight>& a, const std::vector<Weight>& b);
     std::vector<Weight> weights(std::span<const Place> places, float pressure, const HeightMap* mask,
                                 std::size_t at_once) const;
 
