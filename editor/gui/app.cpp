@@ -124,7 +124,7 @@ void App::draw() {
     closing_frames_ = dialog_open && picture_free() ? kClosingFrames : std::max(0, closing_frames_ - 1);
     screen_->end(live_.strips(), layout_.picture.x, layout_.picture.y);
     times_.draw_ms = ms_since(last_drawn_);
-    log_->shown(pointer_.in_stroke(), times_);
+    log_->shown(pointer_.in_stroke(), times_, desk_.session.undo_bytes());
     if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
 }
 

@@ -32,14 +32,13 @@ void FrameLog::traced(const PixelRect& r) {
         dab.traced = dab.traced || (dab.x >= r.x0 && dab.y >= r.y0 && dab.x < r.x1 && dab.y < r.y1);
 }
 
-void FrameLog::shown(bool in_stroke, const TurnTimes& t) {
+void FrameLog::shown(bool in_stroke, const TurnTimes& t, std::size_t undo_bytes) {
     if (!file_.is_open()) return;
     const double at = now_ms();
     file_ << formatted(
         "{\"frame\": {\"at_ms\": %.2f, \"in_stroke\": %s, \"input_ms\": %.2f, \"trace_ms\": %.2f, "
-        "\"cursor_ms\": %.2f, "
-        "\"draw_ms\": %.2f}}\n",
-        at, in_stroke ? "true" : "false", t.input_ms, t.trace_ms, t.cursor_ms, t.draw_ms);
+        "\"cursor_ms\": %.2f, \"draw_ms\": %.2f, \"undo_bytes\": %zu}}\n",
+        at, in_stroke ? "true" : "false", t.input_ms, t.trace_ms, t.cursor_ms, t.draw_ms, undo_bytes);
     for (const Dab& dab : pending_)
         if (dab.traced)
             file_ << formatted("{\"dab\": {\"x\": %.1f, \"y\": %.1f, \"event_ms\": %.2f, \"at_ms\": %.2f}}\n",

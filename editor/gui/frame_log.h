@@ -2,6 +2,7 @@
 // dab was to be seen. For tests and for reports of slowness; written only where it is asked for.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -19,9 +20,8 @@ struct TurnTimes {
 
 // JSON Lines. Times `at_ms` are the steady clock's, so that another process on the machine can compare them
 // with its own:
-//   {"frame": {"at_ms", "in_stroke", "input_ms", "trace_ms", "cursor_ms", "draw_ms"}}  a frame was handed to
-//   the
-//       display;
+//   {"frame": {"at_ms", "in_stroke", "input_ms", "trace_ms", "cursor_ms", "draw_ms", "undo_bytes"}}  a frame
+//       was handed to the display, when undo steps held so much;
 //   {"dab": {"x", "y", "event_ms", "at_ms"}}  the surface as a pointer event at (x, y), window pixels, left
 //   it
 //       is in the frame of `at_ms`; `event_ms`: when the window heard of the event.
@@ -33,7 +33,7 @@ class FrameLog {
     void sculpted(const InputEvent& event, std::uint64_t window_start_us);  // it made a dab at least
     void cancelled() { pending_.clear(); }
     void traced(const PixelRect& window);  // window pixels: what was sculpted in it is in the next frame
-    void shown(bool in_stroke, const TurnTimes& times);
+    void shown(bool in_stroke, const TurnTimes& times, std::size_t undo_bytes);
 
   private:
     struct Dab {
