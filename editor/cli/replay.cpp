@@ -4,10 +4,15 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
 
 #include "brushes/colour_file.h"
 #include "editor/cli/progress.h"
@@ -26,8 +31,28 @@ struct ReplayVerb {
     PictureOptions picture;
 };
 
+// Of two outputs in one file only the last would be left.
+void check_apart(const ReplayVerb& verb) {
+    using Output = std::pair<const char*, const std::string&>;
+    const Output outputs[] = {{"--render-before", verb.render_before},
+                              {"--output", verb.map_out},
+                              {"--colour-output", verb.colour_out},
+                              {"--render", verb.render}};
+    const auto file = [](const std::string& path) {
+        std::error_code error;
+        const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
+        return error ? std::filesystem::path(path) : real;
+    };
+    for (const Output* a = std::begin(outputs); a != std::end(outputs); ++a)
+        for (const Output* b = std::begin(outputs); b != a; ++b)
+            if (!a->second.empty() && !b->second.empty() && file(a->second) == file(b->second))
+                throw std::invalid_argument(std::string(a->first) + ": " + a->second + " is what " +
+                                            b->first + " writes; give each a file of its own");
+}
+
 // Everything that can be refused is refused before the work starts.
 void check_outputs(const ReplayVerb& verb) {
+    check_apart(verb);
     if (!verb.map_out.empty()) {
         format_of(verb.map_out);
         check_writable(verb.map_out);

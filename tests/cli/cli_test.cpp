@@ -189,6 +189,16 @@ TEST_F(Program, ReplayWritesHeightsAloneUnlessColoursAreAskedFor) {
     expect_refused({"replay", journal_}, ":2: painting needs a colour map: make one first");
 }
 
+TEST_F(Program, TwoOutputsInOneFileAreRefused) {
+    std::filesystem::create_directory(path("folder"));
+    const std::string out = path("both.tif"), same = path("folder/../both.tif");
+    expect_refused({"replay", journal_, "-o", out, "--colour-output", same}, "is what --output writes");
+    expect_refused({"replay", journal_, "-o", path("a.exr"), "--render", path("a.exr")}, "--render: ");
+    expect_refused({"replay", journal_, "--render", path("a.png"), "--render-before", path("a.png")},
+                   "is what --render-before writes");
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST_F(Program, ReplayNeedsNoDeviceAndGivesTheSameFileEveryTime) {
     for (const char* name : {"a.tif", "b.tif"})
         ASSERT_EQ(run_program({"replay", journal_, "-o", path(name)}, test::without_vulkan()).status, 0);
