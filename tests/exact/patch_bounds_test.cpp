@@ -1,9 +1,14 @@
-// What the search by patches (shaders/methods/exact/patch_search.glsl) relies on to drop a patch: no point of the surface
-// leaves its patch's box, and over a patch the surface's derivatives stray from those at its middle by no more than said.
-// Random triangles whose shells fold as often as not, maps, rays and patches.
+// What the search by patches (shaders/methods/exact/patch_search.glsl) relies on to drop a patch: no point of
+// the surface leaves its patch's box, and over a patch the surface's derivatives stray from those at its
+// middle by no more than said. And what the search answers: places of the surface that the ray meets within
+// rounding, however far it comes from. Random triangles whose shells fold as often as not, maps, rays and
+// patches.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
 #include <random>
+#include <vector>
 
 #include "tests/support/shader_in_float.h"
 
@@ -46,8 +51,8 @@ class Trial {
             ASSERT_TRUE(glm::all(glm::greaterThanEqual(at, dvec4(box.low) - rounding)) &&
                         glm::all(glm::lessThanEqual(at, dvec4(box.high) + rounding)))
                 << at.x << " " << at.y << " " << at.z << " " << at.w << " leaves " << box.low.x << " "
-                << box.low.y << " " << box.low.z << " " << box.low.w << " to " << box.high.x << " " << box.high.y
-                << " " << box.high.z << " " << box.high.w;
+                << box.low.y << " " << box.low.z << " " << box.low.w << " to " << box.high.x << " "
+                << box.high.y << " " << box.high.z << " " << box.high.w;
         }
     }
 
@@ -66,6 +71,26 @@ class Trial {
             EXPECT_LE(strays, spread + rounding) << "side " << side_;
         }
         return 1;
+    }
+
+    // How far the hit lies beside a ray at the surface, over what rounding does to a place on it.
+    std::optional<double> beside_ray() {
+        const double b1 = between(0, 1), b2 = between(0, 1 - b1);
+        const vec3 target(in_world({b1, b2})),
+            eye = target + vec3(direction() * std::pow(10.0, between(0, 2)));
+        const vec3 d = normalize(target - eye), away = abs(eye - primitive_.origin);
+        SurfaceHit hit;
+        if (!search_patches(primitive_, subject.normals, subject.object, eye, d, 0.0f, 1e30f,
+                            3e-7f * max(max(away.x, away.y), away.z), vec3(1e-5f), hit))
+            return std::nullopt;
+        const dvec3 off = in_world(hit.b) - dvec3(eye), along = glm::normalize(dvec3(d));
+        const vec2 tx1 = abs(primitive_.tx1), tx2 = abs(primitive_.tx2);
+        const double steep =
+            std::abs(double{subject.object.amplitude}) * std::max({tx1.x, tx1.y, tx2.x, tx2.y});
+        const double high = std::max(std::abs(primitive_.w_low), std::abs(primitive_.w_high));
+        const double size = double{length(primitive_.q2)} + primitive_.q1x + steep +
+                            high / glm::length(dvec3(base_normal(subject.normals, hit.b)));
+        return glm::length(off - along * glm::dot(off, along)) / (6e-8 * size);
     }
 
   private:
@@ -135,6 +160,20 @@ class Trial {
         return dvec3(f.p) + dvec3(f.p1) * b.x + dvec3(f.p2) * b.y + glm::normalize(n) * height;
     }
 
+    dvec3 in_world(dvec2 b) const {
+        const Primitive& p = primitive_;
+        const dvec3 t = p.tangent, u = glm::cross(dvec3(p.ng), t), n0 = subject.normals.n0;
+        const dvec3 n = n0 + (dvec3(subject.normals.n1) - n0) * b.x + (dvec3(subject.normals.n2) - n0) * b.y;
+        const dvec2 at = dvec2(p.tx0) + dvec2(p.tx1 - p.tx0) * b.x + dvec2(p.tx2 - p.tx0) * b.y,
+                    cell = glm::floor(at);
+        const glm::dvec4 quad(height_quad(0, primitive_base(p) + vec2(cell)));
+        const double value = glm::mix(glm::mix(quad.x, quad.y, at.x - cell.x),
+                                      glm::mix(quad.z, quad.w, at.x - cell.x), at.y - cell.y);
+        return dvec3(p.origin) + t * (p.q1x * b.x + p.q2.x * b.y) + u * (p.q2.y * b.y) +
+               glm::normalize(n) *
+                   (double{subject.object.amplitude} * (value - double{subject.object.midlevel}));
+    }
+
     std::mt19937 random_;
     test::TestMap map_;
     std::optional<HeightPyramid> pyramid_;
@@ -160,6 +199,18 @@ TEST(PatchBounds, HoldTheDerivatives) {
         ASSERT_FALSE(HasFailure()) << "seed " << seed;
     }
     EXPECT_GT(bounded, 50000);
+}
+
+// Rays that aim at a place of the surface, which some of it must stop.
+TEST(SearchedHits, LieBesideFarRaysByRoundingOfTheTriangleAlone) {
+    std::vector<double> beside;
+    for (unsigned seed = 0; seed < 4000; ++seed) {
+        const std::optional<double> b = Trial(seed).beside_ray();
+        ASSERT_TRUE(b) << "seed " << seed << ": nothing is hit";
+        beside.push_back(*b);
+    }
+    std::sort(beside.begin(), beside.end());
+    EXPECT_LT(beside[beside.size() * 99 / 100], 3);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ const float kLeastLength = 1e-3f;    // of N: below, it is taken to point anywhe
 const float kTurnOfRounding = 4e-7f; // what rounding moves N by, at most
 const float kSlabRounding = 1e-6f;   // of heights about a plane, of the map's range
 const int kPatchSteps = 8;           // of Newton
+const float kLeastStep = 1e-5f;      // barycentric: one that is true though what it leaves is rounding
 const float kLeastPatch = 1e-4f;     // size of a patch that is not divided, of the greatest displacement
 const float kAlone = 0.7f;           // below 1: how far the Jacobian may vary, over itself, where one root stands alone
 const float kMostBorder = 1e-3f;     // texels that a root may lie outside its cell, and less where rounding allows it
@@ -39,6 +40,16 @@ struct PatchRoot {
     bool decided;    // inside or not, there is no other
 };
 
+// The first 12 of 24 bits: a product of two such is exact.
+FUNC float first_bits(float x) { return intBitsToFloat(floatBitsToInt(x) & -4096); }
+
+// a - (o + d z), rounded as if it had been computed exactly: beside a far ray it is much smaller than either.
+FUNC vec3 from_ray(vec3 a, vec3 o, vec3 d, float z) {
+    vec3 apart = a - o, step = apart - a, lost = (a - (apart - step)) - (o + step);
+    vec3 high = vec3(first_bits(d.x), first_bits(d.y), first_bits(d.z));
+    return ((apart - high * z) - (d - high) * z) + lost;
+}
+
 FUNC PatchFrame make_patch_frame(Primitive p, PrimitiveNormals n, vec3 o, vec3 d) {
     // The first axis across the ray follows the normals: boxes of long thin columns stay narrow.
     vec3 along = n.n0 + n.n1 + n.n2;
@@ -46,9 +57,10 @@ FUNC PatchFrame make_patch_frame(Primitive p, PrimitiveNormals n, vec3 o, vec3 d
     vec3 other = abs(d.x) < 0.7f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
     other = other - d * dot(other, d);
     vec3 x = normalize(dot(along, along) > 1e-6f ? along : other), y = cross(d, x);
-    vec3 from = p.origin - o, e1 = base_edge1(p), e2 = base_edge2(p), m1 = n.n1 - n.n0, m2 = n.n2 - n.n0;
+    float z = first_bits(dot(p.origin - o, d));
+    vec3 from = from_ray(p.origin, o, d, z), e1 = base_edge1(p), e2 = base_edge2(p), m1 = n.n1 - n.n0, m2 = n.n2 - n.n0;
     PatchFrame f;
-    f.p = vec3(dot(from, x), dot(from, y), dot(from, d));
+    f.p = vec3(dot(from, x), dot(from, y), z + dot(from, d));
     f.p1 = vec3(dot(e1, x), dot(e1, y), dot(e1, d));
     f.p2 = vec3(dot(e2, x), dot(e2, y), dot(e2, d));
     f.n = vec3(dot(n.n0, x), dot(n.n0, y), dot(n.n0, d));
@@ -261,12 +273,35 @@ FUNC uint even_bits(uint v) {
     return (v | (v >> 8u)) & 0x0000ffffu;
 }
 
-FUNC void take_root(Primitive p, PatchFrame f, vec2 b, float z, float t_min, vec3 margin, INOUT(bool) found,
-                    INOUT(SurfaceHit) hit) {
-    if (!in_triangle(b, margin) || z < t_min || z > hit.t || !opaque_at(p, b)) return;
-    note(kNoteRoot, z, patch_texel(f, b), 0.0f, 0.0f);
-    hit.t = z;
-    hit.b = b;
+// A root counts as soon as rounding might be all that holds it off the ray, which over many high texels is a worst case.
+// Newton's steps go on from there for as long as they bring S nearer.
+FUNC void settle_root(Primitive p, ObjectData ob, PatchFrame f, vec2 cell, INOUT(PatchRoot) root) {
+    vec4 quad = height_quad(p.object, primitive_base(p) + cell);
+    PatchPoint a = patch_point(f, ob, quad, cell, root.b);
+    bool nearer = true;
+    for (int i = 0; nearer && i < kPatchSteps; ++i) {
+        float inverse = 1.0f / cross2(vec2(a.s1.x, a.s1.y), vec2(a.s2.x, a.s2.y));
+        vec2 change = vec2(a.s.x * a.s2.y - a.s.y * a.s2.x, a.s1.x * a.s.y - a.s1.y * a.s.x) * -inverse, b = root.b + change;
+        vec2 place = patch_texel(f, b) - cell, beyond = abs(place - clamp(place, vec2(0.0f), vec2(1.0f)));
+        PatchPoint next = patch_point(f, ob, quad, cell, b);
+        nearer = max(abs(next.s.x), abs(next.s.y)) < 0.5f * max(abs(a.s.x), abs(a.s.y)) &&
+                 max(beyond.x, beyond.y) <= kMostBorder;
+        if (nearer || max(abs(change.x), abs(change.y)) <= kLeastStep) {
+            root.b = b;
+            root.z = nearer ? next.s.z : a.s.z + a.s1.z * change.x + a.s2.z * change.y;
+        }
+        a = next;
+    }
+}
+
+FUNC void take_root(Primitive p, ObjectData ob, PatchFrame f, vec2 cell, PatchRoot root, float t_min, vec3 margin,
+                    INOUT(bool) found, INOUT(SurfaceHit) hit) {
+    if (!root.inside || !in_triangle(root.b, margin)) return;
+    settle_root(p, ob, f, cell, root);
+    if (root.z < t_min || root.z > hit.t || !opaque_at(p, root.b)) return;
+    note(kNoteRoot, root.z, patch_texel(f, root.b), 0.0f, 0.0f);
+    hit.t = root.z;
+    hit.b = root.b;
     found = true;
 }
 
@@ -306,7 +341,7 @@ FUNC bool search_patches(Primitive p, PrimitiveNormals n, ObjectData ob, vec3 o,
                         PatchRoot root = solve_patch(p, ob, f, corner, side, first + step, rounding, texel_rounding, last);
                         note(kNoteCell, root.z, patch_texel(f, root.b), 0.0f, root.z);
                         decided = decided && root.decided;
-                        if (root.inside) take_root(p, f, root.b, root.z, t_min, margin, found, hit);
+                        take_root(p, ob, f, first + step, root, t_min, margin, found, hit);
                     }
                     down = down && !decided;
                 }
