@@ -16,7 +16,8 @@
 //            the dab's centre, its longer side as wide as the brush, and is cut off by the falloff.
 //   crease   lowers as draw by rise * spacing * f^2, and pinches half as much as pinch.
 //   clay     moves what is below a plane towards it: the plane through the footprint, raised by what a dab of
-//            draw at kUnitSpacing raises.
+//            draw at kUnitSpacing raises. Planes, flatten's too, are planes of the surface as it is shaded, with
+//            the base mesh curved between its vertices: else the triangles of a coarse one would show.
 //   level,   move a texel the fraction s * f of the way from where the stroke found it to the target; passing
 //   erase    again within the stroke adds nothing (the largest fraction counts), a second stroke goes on from
 //            there. At full strength, the middle of the brush arrives exactly.

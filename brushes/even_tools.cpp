@@ -79,7 +79,7 @@ Plane fit_plane(const std::vector<SurfaceTexel>& texels, const std::vector<float
     glm::dvec3 mean(0.0), axis(0.0);
     double total = 0.0;
     for (std::size_t i = 0; i < texels.size(); ++i) {
-        mean += double{weights[i]} * (glm::dvec3(texels[i].position) - centre);
+        mean += double{weights[i]} * (glm::dvec3(texels[i].shaded()) - centre);
         axis += double{weights[i]} * glm::dvec3(texels[i].normal);
         total += double{weights[i]};
     }
@@ -92,7 +92,7 @@ Plane fit_plane(const std::vector<SurfaceTexel>& texels, const std::vector<float
     // Normal equations of h = a + s u + t v about the mean; the small ridge settles footprints along a line.
     double uu = 0, uv = 0, vv = 0, hu = 0, hv = 0;
     for (std::size_t i = 0; i < texels.size(); ++i) {
-        const glm::dvec3 d = glm::dvec3(texels[i].position) - centre - mean;
+        const glm::dvec3 d = glm::dvec3(texels[i].shaded()) - centre - mean;
         const double w = double{weights[i]}, du = glm::dot(d, u), dv = glm::dot(d, v), dh = glm::dot(d, axis);
         uu += w * du * du, uv += w * du * dv, vv += w * dv * dv, hu += w * dh * du, hv += w * dh * dv;
     }
@@ -109,7 +109,7 @@ std::optional<float> counts_to(const Plane& plane, const SurfaceTexel& texel, co
     constexpr double kLeastCosine = 0.2;
     const double cosine = glm::dot(glm::dvec3(texel.normal), plane.normal);
     if (cosine < kLeastCosine) return std::nullopt;
-    const double way = glm::dot(plane.point - glm::dvec3(texel.position), plane.normal) / cosine;
+    const double way = glm::dot(plane.point - glm::dvec3(texel.shaded()), plane.normal) / cosine;
     const float rounded = std::floor(work.value(texel) + 0.5f);
     const double radius = double{work.place.radius};
     const double counts = std::clamp(way, -radius, radius) * work.counts_per_unit;

@@ -25,6 +25,10 @@ struct SurfaceTexel {
     float distance;      // from the ball's centre to S at the texel's centre, world units
     glm::vec3 position;  // of S at the texel's centre
     glm::vec3 normal;    // unit interpolated base normal: the direction in which this texel displaces
+    float bulge;         // of the base mesh as it is shaded, curved between its vertices, along the normal; world units
+
+    // Where shading lets S appear.
+    glm::vec3 shaded() const { return position + bulge * normal; }
 };
 
 // One texel that must hold the same value as another. At exact seams (both sides run along texel rows at one

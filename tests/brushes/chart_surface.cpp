@@ -52,7 +52,7 @@ void ChartSurface::texels_in_ball(glm::vec3 centre, float radius, std::vector<Su
                 if (!chart.holds(point)) continue;
                 const glm::vec3 position(point.x, point.y, height(map_.at(x, y)));
                 const float distance = glm::length(position - centre);
-                if (distance < radius) out.push_back({x, y, distance, position, {0, 0, 1}});
+                if (distance < radius) out.push_back({x, y, distance, position, {0, 0, 1}, 0});
             }
     }
     std::sort(out.begin(), out.end(), [](const SurfaceTexel& a, const SurfaceTexel& b) {

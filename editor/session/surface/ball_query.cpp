@@ -10,6 +10,7 @@
 #include <optional>
 #include <tuple>
 
+#include "editor/session/surface/curved_base.h"
 #include "editor/session/surface/mesh_surface.h"
 #include "editor/session/surface/texel_triangle.h"
 
@@ -32,10 +33,23 @@ Gradient gradient(const TexelTriangle& t, const std::array<glm::dvec3, 3>& v, gl
     return {v[0] + dx * back.x + dy * back.y, dx, dy};
 }
 
+// A square function of texel space, as Gradient.
+struct Square {
+    double value, dx, dy, dxx, dxy, dyy;
+
+    double at(double x, double y) const { return value + x * (dx + x * dxx + y * dxy) + y * (dy + y * dyy); }
+};
+
+Square square(const Bulge& bulge, const Gradient& b) {
+    return {bulge.at(b.value), bulge.mixed(b.value, b.dx), bulge.mixed(b.value, b.dy),
+            bulge.at(b.dx),    bulge.mixed(b.dx, b.dy),    bulge.at(b.dy)};
+}
+
 struct NearFace {
     std::uint32_t face;
     std::int64_t x0, y0;        // the integer point that the gradients start at
     Gradient position, normal;  // of the base triangle, per texel
+    Square bulge;
 };
 
 // Texels of one face in one row of the map, side by side.
@@ -124,7 +138,13 @@ class BallQuery {
         const auto x0 = static_cast<std::int64_t>(std::floor(triangle.p[0].x));
         const auto y0 = static_cast<std::int64_t>(std::floor(triangle.p[0].y));
         const glm::dvec2 origin(static_cast<double>(x0), static_cast<double>(y0));
-        const NearFace near{face, x0, y0, gradient(triangle, p, origin), gradient(triangle, n, origin)};
+        constexpr std::array kCorners{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+        const NearFace near{face,
+                            x0,
+                            y0,
+                            gradient(triangle, p, origin),
+                            gradient(triangle, n, origin),
+                            square(Bulge(p, n), gradient(triangle, kCorners, origin))};
         const auto slot = static_cast<std::uint32_t>(faces_.size());
         const std::size_t runs_before = runs_.size();
         const TexelSpan rows = rows_in_reach(near, clipped(triangle.rows(), s_.grid_.height, s_.grid_.wrap));
@@ -237,6 +257,9 @@ class BallQuery {
         const auto x = static_cast<double>(run.column - near.x0), y = static_cast<double>(run.row - near.y0);
         const glm::vec3 p0(near.position.at(x, y)), dp(near.position.dx), n0(near.normal.at(x, y)),
             dn(near.normal.dx);
+        const auto b0 = static_cast<float>(near.bulge.at(x, y)),
+                   b1 = static_cast<float>(near.bulge.dx + 2 * x * near.bulge.dxx + y * near.bulge.dxy),
+                   b2 = static_cast<float>(near.bulge.dxx);
         const std::uint16_t* counts = &s_.map_.texels()[s_.map_.index(run.x, run.y)];
         const float limit = radius_ * radius_;
         Block block;
@@ -246,11 +269,13 @@ class BallQuery {
             for (std::int32_t k = 0; k < count; ++k) {
                 const auto i = static_cast<std::size_t>(k);
                 if (!(block.distance[i] < limit)) continue;
+                const auto step = static_cast<float>(first + k);
                 out.push_back({run.x + first + k,
                                run.y,
                                std::sqrt(block.distance[i]),
                                {block.px[i], block.py[i], block.pz[i]},
-                               {block.nx[i], block.ny[i], block.nz[i]}});
+                               {block.nx[i], block.ny[i], block.nz[i]},
+                               b0 + step * (b1 + step * b2)});
             }
         }
     }
@@ -268,7 +293,9 @@ class BallQuery {
             const double height = scale * static_cast<double>(s_.map_.at(run.x + k, run.y)) - middle;
             const glm::vec3 position(near.position.at(x, y) + height * n);
             const float distance = glm::length(position - centre_);
-            if (distance < radius_) out.push_back({run.x + k, run.y, distance, position, glm::vec3(n)});
+            if (distance >= radius_) continue;
+            const auto bulge = static_cast<float>(near.bulge.at(x, y));
+            out.push_back({run.x + k, run.y, distance, position, glm::vec3(n), bulge});
         }
     }
 
