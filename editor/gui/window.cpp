@@ -10,6 +10,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "editor/gui/key_layout.h"
 #ifdef RELIEVO_HAS_XINPUT
 #include "editor/gui/xinput_pen.h"
 #endif
@@ -63,6 +64,7 @@ struct WindowCallbacks {
     }
     static void key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
         Window& window = window_of(handle);
+        key = key_on_layout(key, glfwGetKeyName(key, scancode));
         if (action != GLFW_RELEASE) window.add({InputEvent::Kind::key, 0, 0, 0, key, mods});
         if (action == GLFW_PRESS) window.pressed_.push_back(key);
         const auto& pressed = window.pressed_;

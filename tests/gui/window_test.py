@@ -9,10 +9,11 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 
-from desktop import Desktop, Editor, difference, operations, strokes, wait_for
+from desktop import SKIPPED, Desktop, Editor, difference, operations, strokes, wait_for
 
 STROKE = [(230 + 5 * i, 260 + 2 * i) for i in range(31)]  # over the asteroid's lit side
 NEAR = (240, 240, 380, 340)  # pixels around it
@@ -126,6 +127,25 @@ def modifiers_and_cancel(case):
     editor.ended()
     case.replay(case.journal, replayed)
     case.same_bytes(saved, replayed)
+
+
+def letters_are_those_printed_on_the_keys(case):
+    """A German keyboard has Y and Z changed over."""
+    if not shutil.which("setxkbmap"):
+        print("skipped: setxkbmap is not installed")
+        sys.exit(SKIPPED)
+    case.desktop = Desktop(case.folder)
+    subprocess.run(["setxkbmap", "-display", case.desktop.display, "de"], check=True)
+    case.open(case.journal)
+    case.stroke(case.journal)
+    case.desktop.key("ctrl+z")
+    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
+    case.desktop.key("ctrl+y")
+    wait_for("the redo", lambda: operations(case.journal)[-1]["op"] == "redo")
+    case.desktop.key("ctrl+s")
+    wait_for("the save", lambda: operations(case.journal)[-1]["op"] == "save")
+    case.desktop.key("ctrl+q")
+    case.editor.ended()
 
 
 def mask_is_shown_darker_and_in_no_journal(case):
@@ -572,7 +592,8 @@ def run(functions):
 
 
 if __name__ == "__main__":
-    run((stroke_saves_and_replays, mask_is_shown_darker_and_in_no_journal, modifiers_and_cancel, crash_offers_recovery,
+    run((stroke_saves_and_replays, mask_is_shown_darker_and_in_no_journal, modifiers_and_cancel,
+         letters_are_those_printed_on_the_keys, crash_offers_recovery,
          moving_tools_and_mask_survive_a_kill, quit_asks_for_unsaved_work, resized_and_reopened,
          views_show_the_surface_each_in_its_way, two_methods_side_by_side_while_sculpting,
          why_this_pixel_lists_its_ray, first_start_opens_the_sample_with_a_hint,
