@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -31,22 +32,14 @@ PaintStroke::PaintStroke(const Brush& brush, const Alpha* alpha, ColourMap& map,
 // weight.
 std::vector<PaintStroke::Weight> PaintStroke::merged(const std::vector<Weight>& a,
                                                      const std::vector<Weight>& b) {
-    const auto before = [](const Weight& p, const Weight& q) { return p.y != q.y ? p.y < q.y : p.x < q.x; };
+    const auto before = [](const Weight& p, const Weight& q) {
+        return p.y != q.y ? p.y < q.y : p.x != q.x ? p.x < q.x : p.of_way > q.of_way;
+    };
+    const auto same_texel = [](const Weight& p, const Weight& q) { return p.x == q.x && p.y == q.y; };
     std::vector<Weight> both;
     both.reserve(a.size() + b.size());
-    auto from_a = a.begin(), from_b = b.begin();
-    while (from_a != a.end() && from_b != b.end()) {
-        if (before(*from_a, *from_b)) {
-            both.push_back(*from_a++);
-        } else if (before(*from_b, *from_a)) {
-            both.push_back(*from_b++);
-        } else {
-            both.push_back(from_a->of_way > from_b->of_way ? *from_a : *from_b);
-            ++from_a, ++from_b;
-        }
-    }
-    both.insert(both.end(), from_a, a.end());
-    both.insert(both.end(), from_b, b.end());
+    std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both), before);
+    both.erase(std::unique(both.begin(), both.end(), same_texel), both.end());
     return both;
 }
 

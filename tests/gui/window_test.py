@@ -45,6 +45,11 @@ class Case:
         self.desktop.drag(points)
         return wait_for("the stroke in the journal", lambda: strokes(journal)[count:])[0]
 
+    def command(self, key, operation):
+        """Presses a key that the journal records as that operation."""
+        self.desktop.key(key)
+        wait_for(f"the {operation}", lambda: operations(self.journal)[-1]["op"] == operation)
+
     def recovery_journals(self):
         return glob.glob(os.path.join(self.folder, "state", "relievo", "*.jsonl"))
 
@@ -79,10 +84,8 @@ def stroke_saves_and_replays(case):
     near, far = difference(before, after, NEAR), difference(before, after, FAR)
     assert near > 2 and far < 0.5, f"changed by {near} near the stroke and by {far} far from it"
 
-    case.desktop.key("ctrl+z")
-    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
-    case.desktop.key("ctrl+shift+z")
-    wait_for("the redo", lambda: operations(case.journal)[-1]["op"] == "redo")
+    case.command("ctrl+z", "undo")
+    case.command("ctrl+shift+z", "redo")
 
     saved, replayed = os.path.join(case.folder, "saved.tif"), os.path.join(case.folder, "replayed.tif")
     editor.save_as(saved)
@@ -138,12 +141,9 @@ def letters_are_those_printed_on_the_keys(case):
     subprocess.run(["setxkbmap", "-display", case.desktop.display, "de"], check=True)
     case.open(case.journal)
     case.stroke(case.journal)
-    case.desktop.key("ctrl+z")
-    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
-    case.desktop.key("ctrl+y")
-    wait_for("the redo", lambda: operations(case.journal)[-1]["op"] == "redo")
-    case.desktop.key("ctrl+s")
-    wait_for("the save", lambda: operations(case.journal)[-1]["op"] == "save")
+    case.command("ctrl+z", "undo")
+    case.command("ctrl+y", "redo")
+    case.command("ctrl+s", "save")
     case.desktop.key("ctrl+q")
     case.editor.ended()
 
@@ -175,8 +175,7 @@ def mask_is_shown_darker_and_in_no_journal(case):
     case.desktop.key("m")
     shows("the picture with the mask", masked)
     assert len(operations(case.journal)) == count, operations(case.journal)[count:]
-    case.desktop.key("ctrl+z")
-    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
+    case.command("ctrl+z", "undo")
     shows("the picture before the mask", before)
     editor.kill()
 
@@ -494,8 +493,7 @@ def new_map_export_and_revert(case):
     case.desktop.key("Return")
     exported = os.path.join(case.folder, "maps", "asteroid-export.exr")
     wait_for("the export", lambda: os.path.exists(exported))
-    case.desktop.key("ctrl+z")
-    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
+    case.command("ctrl+z", "undo")
     case.desktop.key("ctrl+n")
     editor.screenshot()
     case.desktop.key("Return")
@@ -542,10 +540,8 @@ def painting_goes_to_a_colour_map(case):
     assert both["brush"]["paint"] == "both", both
     taken = [both["brush"].get(part, standard) for part, standard in (("red", 0.8), ("green", 0.3), ("blue", 0.2))]
     assert taken[0] > taken[1] > 0.2 and taken != [0.8, 0.3, 0.2], taken
-    case.desktop.key("ctrl+z")
-    wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
-    case.desktop.key("ctrl+y")
-    wait_for("the redo", lambda: operations(case.journal)[-1]["op"] == "redo")
+    case.command("ctrl+z", "undo")
+    case.command("ctrl+y", "redo")
 
     saved = os.path.join(case.folder, "saved.tif")
     editor.save_as(saved)

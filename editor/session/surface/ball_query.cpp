@@ -38,6 +38,7 @@ struct Square {
     double value, dx, dy, dxx, dxy, dyy;
 
     double at(double x, double y) const { return value + x * (dx + x * dxx + y * dxy) + y * (dy + y * dyy); }
+    double slope_x(double x, double y) const { return dx + 2 * x * dxx + y * dxy; }
 };
 
 Square square(const Bulge& bulge, const Gradient& b) {
@@ -258,8 +259,7 @@ class BallQuery {
         const glm::vec3 p0(near.position.at(x, y)), dp(near.position.dx), n0(near.normal.at(x, y)),
             dn(near.normal.dx);
         const auto b0 = static_cast<float>(near.bulge.at(x, y)),
-                   b1 = static_cast<float>(near.bulge.dx + 2 * x * near.bulge.dxx + y * near.bulge.dxy),
-                   b2 = static_cast<float>(near.bulge.dxx);
+                   b1 = static_cast<float>(near.bulge.slope_x(x, y)), b2 = static_cast<float>(near.bulge.dxx);
         const std::uint16_t* counts = &s_.map_.texels()[s_.map_.index(run.x, run.y)];
         const float limit = radius_ * radius_;
         Block block;

@@ -175,6 +175,12 @@ FUNC PatchPoint patch_point(PatchFrame f, ObjectData ob, vec4 quad, vec2 cell, v
     return a;
 }
 
+// Newton's step towards where S meets the ray; and 1 over the determinant of its Jacobian across the ray.
+FUNC float inverse_determinant(PatchPoint a) { return 1.0f / cross2(vec2(a.s1.x, a.s1.y), vec2(a.s2.x, a.s2.y)); }
+FUNC vec2 newton_step(PatchPoint a, float inverse) {
+    return vec2(a.s.x * a.s2.y - a.s.y * a.s2.x, a.s1.x * a.s.y - a.s1.y * a.s.x) * -inverse;
+}
+
 // How far the columns of S's Jacobian may be from those at the patch's middle, together: r is half the patch's side.
 FUNC float jacobian_spread(PatchFrame f, ObjectData ob, vec4 quad, PatchPoint m, float r) {
     float turn = r * max(length(f.n1 + f.n2), length(f.n1 - f.n2)), least = m.length_n - turn;
@@ -204,8 +210,8 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
     root.inside = false;
     root.decided = false;
     PatchPoint a = patch_point(f, ob, quad, cell, b);
-    float inverse = 1.0f / cross2(vec2(a.s1.x, a.s1.y), vec2(a.s2.x, a.s2.y));
-    vec2 change = vec2(a.s.x * a.s2.y - a.s.y * a.s2.x, a.s1.x * a.s.y - a.s1.y * a.s.x) * -inverse;
+    float inverse = inverse_determinant(a);
+    vec2 change = newton_step(a, inverse);
     vec2 gain = vec2(abs(a.s2.x) + abs(a.s2.y), abs(a.s1.x) + abs(a.s1.y)) * abs(inverse);  // norms of J^-1's rows
     vec2 k = gain * jacobian_spread(f, ob, quad, a, r);
     vec2 out_of_reach = abs(change) - (vec2(r) + k * r + vec2(slack) + gain * rounding);
@@ -255,8 +261,8 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
         vec2 reach = vec2(r + 2.0f * slack) + doubt;
         b = middle + clamp(off, -reach, reach);
         a = patch_point(f, ob, quad, cell, b);
-        inverse = 1.0f / cross2(vec2(a.s1.x, a.s1.y), vec2(a.s2.x, a.s2.y));
-        change = vec2(a.s.x * a.s2.y - a.s.y * a.s2.x, a.s1.x * a.s.y - a.s1.y * a.s.x) * -inverse;
+        inverse = inverse_determinant(a);
+        change = newton_step(a, inverse);
     }
     // Steps that end without a root, but within reach of the patch, decide nothing.
     vec2 off = abs(b + change - middle) - doubt;
@@ -280,8 +286,7 @@ FUNC void settle_root(Primitive p, ObjectData ob, PatchFrame f, vec2 cell, INOUT
     PatchPoint a = patch_point(f, ob, quad, cell, root.b);
     bool nearer = true;
     for (int i = 0; nearer && i < kPatchSteps; ++i) {
-        float inverse = 1.0f / cross2(vec2(a.s1.x, a.s1.y), vec2(a.s2.x, a.s2.y));
-        vec2 change = vec2(a.s.x * a.s2.y - a.s.y * a.s2.x, a.s1.x * a.s.y - a.s1.y * a.s.x) * -inverse, b = root.b + change;
+        vec2 change = newton_step(a, inverse_determinant(a)), b = root.b + change;
         vec2 place = patch_texel(f, b) - cell, beyond = abs(place - clamp(place, vec2(0.0f), vec2(1.0f)));
         PatchPoint next = patch_point(f, ob, quad, cell, b);
         nearer = max(abs(next.s.x), abs(next.s.y)) < 0.5f * max(abs(a.s.x), abs(a.s.y)) &&
