@@ -51,6 +51,8 @@ constexpr std::array kFlags{
               false, &Brush::invert, kRaising | tool_set({Tool::pinch, Tool::mask})},
     BrushFlag{"accumulate", "Each pass of a stroke adds to the last; off, a stroke has one height throughout",
               true, &Brush::accumulate, tool_set({Tool::draw, Tool::inflate, Tool::noise, Tool::stamp})},
+    BrushFlag{"blur", "Softens the mask's borders in the place of painting it, as Shift does", false, &Brush::blur,
+              tool_set({Tool::mask})},
     BrushFlag{"mirror_x", "Every dab is repeated across the plane x = 0 of the object", false,
               &Brush::mirror_x},
     BrushFlag{"mirror_y", "Every dab is repeated across the plane y = 0 of the object", false,

@@ -59,6 +59,7 @@ struct Brush {
     float red = 0.8f, green = 0.3f, blue = 0.2f;  // sRGB-encoded, as the colour map holds them, [0, 1]
     EraseTo erase_to = EraseTo::midlevel;         // of the erase tool
     FalloffCurve falloff_curve{};                 // of the custom falloff
+    bool blur = false;  // of the mask tool: softens the mask in the place of painting it
     bool operator==(const Brush&) const = default;
 };
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr ToolSet kResamples =
     tool_set({Tool::inflate, Tool::crease, Tool::pinch, Tool::grab, Tool::smear, Tool::clone});
-constexpr ToolSet kLists = tool_set({Tool::smooth, Tool::flatten, Tool::clay, Tool::stamp});
+constexpr ToolSet kLists =
+    tool_set({Tool::smooth, Tool::flatten, Tool::clay, Tool::stamp, Tool::mask});  // mask: where it blurs
 
 double work_of_texel(Tool tool) {
     if (tool == Tool::grab) return 17;

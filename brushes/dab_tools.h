@@ -26,7 +26,7 @@
 //   flatten  at each dab, and so go on while the brush stays.
 //   pinch    draws the relief in by kPinch * s * f * spacing / kUnitSpacing of its distance to the centre.
 //   smear    carries the relief along with the hand, s * f of the way from the last dab.
-//   mask     as level, on the mask: to 65535, protected; inverted, to 0.
+//   mask     as level, on the mask: to 65535, protected; inverted, to 0. Its blur does as smooth, on the mask.
 //   clone    moves a texel the fraction s * f of the way from where the stroke found it to what lay at the
 //            source before the stroke, as level does. The plane across the base normal at the dab's centre is
 //            laid on that at the source, turned as the dab says.

@@ -68,6 +68,7 @@ void erase(const Work& work) {
 }
 
 void paint_mask(const Work& work) {
+    if (work.brush.blur) return smooth(work);
     move_to(work, [&](const SurfaceTexel&) { return work.brush.invert ? 0.0f : kTop; });
 }
 

@@ -25,7 +25,7 @@ constexpr std::array kBindings{
     Binding{"Left button", "sculpt with the tool"},
     Binding{"Ctrl + left, pen's eraser", "the opposite: lower in the place of raise"},
     Binding{"Ctrl + left, with clone", "where the relief comes from"},
-    Binding{"Shift + left", "smooth"},
+    Binding{"Shift + left", "smooth; with mask, blur the mask"},
     Binding{"Esc", "cancel the stroke or the drag"},
     Binding{"1 to 9", "the tools at the left, from the top", GLFW_KEY_1, GLFW_KEY_9, 0,
             [](D& d, const K& k) { d.choose_tool(static_cast<std::size_t>(k.key - GLFW_KEY_1)); }},

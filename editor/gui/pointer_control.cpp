@@ -78,8 +78,11 @@ void PointerControl::on_press(const InputEvent& local) {
         desk_->set_clone_source(desk_->live.to_renderer_x(local.x), desk_->live.to_renderer_y(local.y));
     } else if (local.code == GLFW_MOUSE_BUTTON_LEFT) {
         apply_camera();
+        const Brush brush = stroke_.brush_for(local);
+        if (brush.tool == Tool::mask && brush.blur && !desk_->session.mask())
+            return desk_->toasts.info("Nothing is masked yet: there is no border to blur");
         desk_->attempt([&] {
-            desk_->prepare_to_paint(stroke_.brush_for(local));
+            desk_->prepare_to_paint(brush);
             stroke_.begin(local);
         });
     }

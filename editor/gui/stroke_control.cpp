@@ -40,7 +40,12 @@ PointerEvent StrokeControl::pointer(const InputEvent& event) const {
 
 Brush StrokeControl::brush_for(const InputEvent& event) const {
     Brush brush = session_->brush();
-    if (event.mods & GLFW_MOD_SHIFT) brush.tool = Tool::smooth;
+    if (event.mods & GLFW_MOD_SHIFT) {
+        if (brush.tool == Tool::mask)
+            brush.blur = true;
+        else
+            brush.tool = Tool::smooth;
+    }
     if (event.mods & GLFW_MOD_CONTROL) brush.invert = !brush.invert;
     if (event.touch.eraser) brush.invert = !brush.invert;
     return brush;

@@ -25,7 +25,7 @@ class StrokeControl {
     std::uint64_t dabs() const { return dabs_; }  // made so far, in all strokes
 
     // The brush that a press takes: the session's, turned round by Ctrl and by a pen's eraser, smoothing with
-    // Shift.
+    // Shift what its tool changes: the mask, or else the surface.
     Brush brush_for(const InputEvent& event) const;
     // Positions are in pixels of the picture on screen. Throws std::invalid_argument when a brush setting is
     // out of its range.

@@ -46,14 +46,17 @@ std::string tool_hint(const Brush& brush) {
     if (!sculpts(brush))
         return std::string(evens ? "Drag to smooth colours" : "Drag to paint; Shift smooths colours") +
                "; S takes one, P goes back to heights";
+    if (brush.tool == Tool::mask && brush.blur) return "Drag to blur the mask";
     const Hint& hint = hint_of(brush.tool);
     const bool inverted = brush.invert && !hint.inverted_drag.empty();
     std::string text(inverted ? hint.inverted_drag : hint.drag);
     if (brush.tool == Tool::erase && brush.erase_to == EraseTo::saved) text = "Drag to go back to what was saved";
     if (const auto control = inverted ? hint.inverted_control : hint.control; !control.empty())
         text += "; " + std::string(control);
-    // The mask tool's Shift, and any other tool's, is the smooth tool: what it evens out is what is painted.
-    if (!evens) text += brush.paint == Paint::colour ? "; Shift smooths colours" : "; Shift smooths heights";
+    if (brush.tool == Tool::mask)
+        text += "; Shift blurs the mask";
+    else if (!evens)  // Shift is the smooth tool: it evens out what is painted
+        text += brush.paint == Paint::colour ? "; Shift smooths colours" : "; Shift smooths heights";
     if (brush.tool == Tool::stamp) text += "; Alt+F turns";
     return text;
 }

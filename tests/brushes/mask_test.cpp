@@ -125,6 +125,35 @@ TEST(Mask, amplitude_0_can_be_masked) {
     EXPECT_EQ(plane.sculptor.mask()->at(16, 16), 65535);
 }
 
+TEST(Mask, blur_of_the_brush_softens_the_border_under_it_alone_and_is_one_step) {
+    Plane plane;
+    const std::uint64_t heights = plane.map.hash();
+    Brush brush = brush_of(Tool::mask, 0.25f);
+    brush.falloff = Falloff::constant;
+    tap(plane.sculptor, plane.surface, brush, {0.5, 0.5});
+    const HeightMap hard = *plane.sculptor.mask();
+    const int left = 32, right = 95;  // the last texels inside
+    ASSERT_EQ(hard.at(left, 64), 65535);
+    ASSERT_EQ(hard.at(left - 1, 64), 0);
+
+    brush.blur = true;
+    brush.radius = 0.15f;
+    for (int i = 0; i < 3; ++i) tap(plane.sculptor, plane.surface, brush, {0.25, 0.5});
+    const HeightMap& mask = *plane.sculptor.mask();
+    EXPECT_EQ(plane.map.hash(), heights);
+    EXPECT_LT(mask.at(left, 64), 60000);
+    EXPECT_GT(mask.at(left - 1, 64), 5000);
+    for (int x = 20; x < 44; ++x) EXPECT_LE(mask.at(x, 64), mask.at(x + 1, 64)) << x;
+    for (int x = 64; x < 128; ++x) EXPECT_EQ(mask.at(x, 64), hard.at(x, 64)) << x;
+    EXPECT_EQ(mask.at(right, 64), 65535);
+
+    for (int i = 0; i < 3; ++i) plane.sculptor.undo();
+    EXPECT_EQ(plane.sculptor.mask()->hash(), hard.hash());
+    const std::uint64_t steps = plane.sculptor.steps_made();
+    tap(plane.sculptor, plane.surface, brush, {0.5, 0.5});
+    EXPECT_EQ(plane.sculptor.steps_made(), steps) << "there is nothing to even out within";
+}
+
 TEST(Mask, blur_softens_the_border_and_keeps_the_middle_over_a_cut) {
     HeightMap map(128, 96);
     ChartSurface surface(
@@ -138,13 +167,20 @@ TEST(Mask, blur_softens_the_border_and_keeps_the_middle_over_a_cut) {
     Brush brush = brush_of(Tool::mask, 0.1f);
     brush.falloff = Falloff::constant;
     tap(sculptor, surface, brush, {0.42, 0.5});  // its border lies in the right island
+    const auto blurred_across_the_cut = [&] {
+        const int at_border = sculptor.mask()->at(70 + 1, 48), outside = sculptor.mask()->at(70 + 4, 48);
+        EXPECT_GT(at_border, 10000);
+        EXPECT_LT(at_border, 60000);
+        EXPECT_GT(outside, 0);
+        EXPECT_EQ(sculptor.mask()->at(50, 48), sculptor.mask()->at(70, 48)) << "the gutter";
+    };
     sculptor.blur_mask();
     EXPECT_EQ(sculptor.mask()->at(2 + 40, 48), 65535);
-    const int at_border = sculptor.mask()->at(70 + 1, 48), outside = sculptor.mask()->at(70 + 4, 48);
-    EXPECT_GT(at_border, 10000);
-    EXPECT_LT(at_border, 60000);
-    EXPECT_GT(outside, 0) << "blurred across the cut";
-    EXPECT_EQ(sculptor.mask()->at(50, 48), sculptor.mask()->at(70, 48)) << "the gutter";
+    blurred_across_the_cut();
+    sculptor.undo();
+    brush.blur = true;  // the brush's own, about the border
+    tap(sculptor, surface, brush, {0.52, 0.5});
+    blurred_across_the_cut();
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ TEST(ToolHint, NamesTheModifiersThatDoSomethingAlone) {
         const std::string hint = tool_hint(brush);
         EXPECT_TRUE(all.insert(hint).second) << hint;
         EXPECT_EQ(names(hint, "Ctrl"), has_opposite(info.tool) || info.tool == Tool::clone) << hint;
-        EXPECT_EQ(names(hint, "Shift smooths heights"), info.tool != Tool::smooth) << hint;
+        EXPECT_EQ(names(hint, "Shift smooths heights"), info.tool != Tool::smooth && info.tool != Tool::mask) << hint;
+        EXPECT_EQ(names(hint, "Shift blurs the mask"), info.tool == Tool::mask) << hint;
         brush.invert = true;
         if (info.tool != Tool::noise) EXPECT_EQ(tool_hint(brush) != hint, has_opposite(info.tool)) << hint;
     }
@@ -39,7 +40,7 @@ TEST(ToolHint, SaysWhetherColoursOrHeightsAreChanged) {
         brush.paint = Paint::colour;
         const std::string hint = tool_hint(brush);
         EXPECT_EQ(names(hint, "goes back to heights"), holds(kPaintingTools, info.tool)) << hint;
-        EXPECT_EQ(names(hint, "Shift smooths colours"), info.tool != Tool::smooth) << hint;
+        EXPECT_EQ(names(hint, "Shift smooths colours"), info.tool != Tool::smooth && info.tool != Tool::mask) << hint;
         EXPECT_FALSE(names(hint, "Ctrl") && holds(kPaintingTools, info.tool)) << "invert turns no colours: " << hint;
     }
 }

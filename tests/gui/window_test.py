@@ -105,6 +105,15 @@ def modifiers_and_cancel(case):
     case.desktop.do("keydown", "shift")
     assert case.stroke(case.journal)["brush"]["tool"] == "smooth"
     case.desktop.do("keyup", "shift")
+    case.desktop.key("shift+6")
+    case.desktop.do("keydown", "shift")
+    case.desktop.drag(STROKE)  # nothing is masked yet
+    case.desktop.do("keyup", "shift")
+    assert case.stroke(case.journal)["brush"]["tool"] == "mask"
+    case.desktop.do("keydown", "shift")
+    blurred = case.stroke(case.journal)["brush"]
+    assert blurred["tool"] == "mask" and blurred["blur"], blurred
+    case.desktop.do("keyup", "shift")
     case.desktop.key("3")
     assert case.stroke(case.journal)["brush"]["tool"] == "flatten"
 
@@ -122,7 +131,7 @@ def modifiers_and_cancel(case):
                                                              if op["op"] == "set" and op["key"] == "camera"])
     assert len(camera[-1]["value"]) == 10, camera
     last = case.stroke(case.journal, [(310, 300), (330, 300)])
-    assert len(strokes(case.journal)) == 4, operations(case.journal)
+    assert len(strokes(case.journal)) == 6, operations(case.journal)
     assert last["brush"]["radius"] > 1.1 * strokes(case.journal)[0]["brush"]["radius"]
     saved, replayed = os.path.join(case.folder, "saved.png"), os.path.join(case.folder, "replayed.png")
     editor.save_as(saved)

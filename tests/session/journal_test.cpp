@@ -65,6 +65,7 @@ TEST(Journal, EveryOperationReadsBackEqual) {
                        .falloff_curve = FalloffCurve(std::array{CurvePoint{0, 0.1f}, CurvePoint{1.0f / 3, 1},
                                                                 CurvePoint{0.99f, 0}, CurvePoint{1, 0.7f}})},
                  {}},
+        StrokeOp{Brush{.tool = Tool::mask, .blur = true}, {}},
         MaskOp{MaskCommand::blur},
         UndoOp{},
         RedoOp{},

@@ -103,6 +103,11 @@ TEST(Symmetry, BothSidesOfTheMirrorAreEqualToTheLastCountWithEveryTool) {
     EXPECT_EQ(asymmetric_texels(session.map()), 0);
     ASSERT_TRUE(session.mask());
     EXPECT_EQ(asymmetric_texels(*session.mask()), 0);
+    const std::uint64_t hard = session.mask()->hash();
+    session.brush().blur = true;
+    sculpt_left(session, Tool::mask);
+    EXPECT_NE(session.mask()->hash(), hard);
+    EXPECT_EQ(asymmetric_texels(*session.mask()), 0);
 }
 
 TEST(Symmetry, AnObjectMovedAndTurnedKeepsItsOwnPlanes) {
@@ -186,6 +191,10 @@ TEST(Symmetry, ReplayNeedsNoSearchAndIsBitIdentical) {
         session.brush().radial_axis = Axis::z;
         for (const Tool tool : {Tool::draw, Tool::mask, Tool::smooth, Tool::grab, Tool::noise})
             sculpt_left(session, tool);
+        session.brush().blur = true;
+        const std::uint64_t hard = session.mask()->hash();
+        sculpt_left(session, Tool::mask);
+        EXPECT_NE(session.mask()->hash(), hard);
         session.change_mask(MaskCommand::blur);
         session.change_mask(MaskCommand::invert);
         session.undo();
