@@ -78,6 +78,46 @@ void sync_folder(const fs::path& path, const fs::path& folder) {
     if (fd.get() < 0 || (::fsync(fd.get()) != 0 && errno != EINVAL)) fail_errno(path, errno);
 }
 
+// To a file that has none, in the manner of mkstemp: `name` ends in XXXXXX. False where that cannot be done, and `name`
+// is as it was.
+bool give_name(const Descriptor& fd, std::string& name) {
+    constexpr int kTries = 100;
+    const std::string file = "/proc/self/fd/" + std::to_string(fd.get()), start = name.substr(0, name.size() - 6);
+    for (int number = 0; number < kTries; ++number) {
+        const std::string free = start + std::to_string(::getpid()) + "-" + std::to_string(number);
+        if (::linkat(AT_FDCWD, file.c_str(), AT_FDCWD, free.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+            name = free;
+            return true;
+        }
+        if (errno != EEXIST) return false;
+    }
+    return false;
+}
+
+// Beside the target, whole and synced, under a name of its own.
+fs::path write_beside(const fs::path& path, const fs::path& target, const fs::path& folder, mode_t mode,
+                      std::span<const std::byte> content) {
+    const auto fill = [&](const Descriptor& fd) {
+        if (::fchmod(fd.get(), mode) != 0) fail_errno(path, errno);
+        write_all(path, fd.get(), content);
+        if (::fsync(fd.get()) != 0) fail_errno(path, errno);
+    };
+    std::string name = (folder / ".").string() + target.filename().string() + ".XXXXXX";
+    // What has no name yet goes with the program, however that ends. Not every file system knows such files.
+    if (const Descriptor fd(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600)); fd.get() >= 0) {
+        fill(fd);
+        if (give_name(fd, name)) return name;
+    }
+    Descriptor fd(::mkostemp(name.data(), O_CLOEXEC));
+    if (fd.get() < 0) fail_errno(path, errno);
+    const fs::path temporary = name;
+    RemoveOnFailure guard(temporary);
+    fill(fd);
+    if (!fd.close()) fail_errno(path, errno);
+    guard.done();
+    return temporary;
+}
+
 }  // namespace
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> content) {
@@ -89,17 +129,11 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> cont
     if (replaces && !S_ISREG(old.st_mode)) fail(path, "it is no regular file");
     if (replaces && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail_errno(path, errno);
 
-    std::string name = (folder / ".").string() + target.filename().string() + ".XXXXXX";
-    Descriptor fd(::mkostemp(name.data(), O_CLOEXEC));
-    if (fd.get() < 0) fail_errno(path, errno);
-    const fs::path temporary = name;
-    RemoveOnFailure guard(temporary);
-
     const mode_t mask = ::umask(0);
     ::umask(mask);
-    if (::fchmod(fd.get(), replaces ? old.st_mode & 07777 : 0666 & ~mask) != 0) fail_errno(path, errno);
-    write_all(path, fd.get(), content);
-    if (::fsync(fd.get()) != 0 || !fd.close()) fail_errno(path, errno);
+    const fs::path temporary =
+        write_beside(path, target, folder, replaces ? old.st_mode & 07777 : 0666 & ~mask, content);
+    RemoveOnFailure guard(temporary);
     if (::rename(temporary.c_str(), target.c_str()) != 0) fail_errno(path, errno);
     guard.done();
     sync_folder(path, folder);

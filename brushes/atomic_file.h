@@ -10,7 +10,8 @@ namespace relievo {
 // Writes a temporary file beside `path`, syncs it, renames it over `path` and syncs the folder. A symbolic
 // link is followed and stays; an existing file's permissions are kept. On any failure (unwritable, disk full,
 // a folder in the way) throws std::invalid_argument that names the path, the old file stays whole, the
-// temporary one is removed.
+// temporary one is removed. Where the file system lets it have no name until it is whole, a program that is killed
+// leaves nothing of it either.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> content);
 
 }  // namespace relievo

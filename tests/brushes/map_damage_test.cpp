@@ -1,6 +1,9 @@
 // Damaged input is refused with the file's name; failed saves leave the old file whole and nothing beside it.
 #include <OpenImageIO/half.h>
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
@@ -191,6 +194,29 @@ TEST(FailedSave, disk_full_at_any_point_leaves_the_old_file_whole) {
         }
     }
     EXPECT_EQ(folder.names().size(), 3u) << "no temporary file is left";
+}
+
+TEST(FailedSave, a_program_that_is_killed_in_the_middle_leaves_nothing_beside_the_file) {
+    const TestFolder folder;
+    const int nameless = ::open(folder.path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    if (nameless < 0) GTEST_SKIP() << "this file system has no files without names";
+    ::close(nameless);
+    write_bytes(folder / "m.tif", "old");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        std::signal(SIGXFSZ, SIG_DFL);  // which kills
+        const rlimit limit{4096, 4096}, none{0, 0};
+        ::setrlimit(RLIMIT_CORE, &none);
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        const std::vector<std::byte> content(1 << 20);
+        write_file_atomically(folder / "m.tif", content);
+        ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ);
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"m.tif"});
+    EXPECT_EQ(bytes_of(folder / "m.tif"), "old");
 }
 
 TEST(FailedSave, unwritable_places_are_named) {
