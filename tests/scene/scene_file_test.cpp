@@ -95,6 +95,8 @@ TEST_F(SceneFiles, files_that_do_not_exist_are_named_with_their_key) {
               "objects[0].mesh: no such file: " + (folder() / "none.obj").string());
     EXPECT_EQ(refused(whole_document(R"(object "displacement": {"map": "none.tif"})")),
               "objects[0].displacement.map: no such file: " + (folder() / "none.tif").string());
+    EXPECT_EQ(refused(whole_document(R"(object "opacity_map": "none.png")")),
+              "objects[0].opacity_map: no such file: " + (folder() / "none.png").string());
     EXPECT_EQ(refused(whole_document(R"(object "opacity_map": ".")")),
               "objects[0].opacity_map: " + (folder() / "").string() + " is a folder, must be a file");
     write("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
