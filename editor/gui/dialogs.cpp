@@ -119,8 +119,8 @@ FileDialog::Purpose open_purpose() {
 }
 
 void Dialogs::open(Desk& desk, Dialog dialog) {
-    if ((dialog == Dialog::save_as || dialog == Dialog::export_map) && desk.session.procedural(0))
-        return desk.toasts.info("The heights are procedural, there is no map yet: bake them first");
+    const bool saves = dialog == Dialog::save_as, exports = dialog == Dialog::export_map;
+    if ((saves || exports) && !desk.attempt([&] { desk.session.require_map(saves ? "save" : "export"); })) return;
     switch (dialog) {
         case Dialog::none:
             return;

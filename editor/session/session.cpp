@@ -31,6 +31,11 @@ const Surface& Session::surface() const {
 std::shared_ptr<const ProceduralSource> Session::procedural(std::size_t object) const {
     return object == 0 ? state_->source : state_->other_sources.at(object - 1);
 }
+// Else map() is an exemplar, which is not what is seen.
+void Session::require_map(const std::string& then) const {
+    if (state_->source)
+        throw std::invalid_argument("the heights are procedural: bake them into a map first, then " + then + " that");
+}
 const HeightMap& Session::map_of(std::size_t object) const {
     return object == 0 ? state_->file.map : state_->others.at(object - 1).map;
 }
@@ -183,7 +188,7 @@ void Session::bake(const ImageSize& size) {
 void Session::make_colours(int bits) {
     State& s = *state_;
     s.require_no_stroke();
-    s.require_map("paint");
+    require_map("paint");
     s.colours.make(s.file.map.width(), s.file.map.height(), bits, s.scene.objects.front().material.albedo,
                    s.view != nullptr);
     ++s.colour_revision;

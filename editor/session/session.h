@@ -60,6 +60,9 @@ class Session {
     const HeightMap& map() const;
     // Of procedural heights the map is the exemplar, which no stroke edits; bake() makes a map of them.
     std::shared_ptr<const ProceduralSource> procedural(std::size_t object) const;  // empty: the heights are a map
+    // Throws std::invalid_argument where the edited object's are procedural, with what is to be done before `then`, a
+    // verb.
+    void require_map(const std::string& then) const;
     const HeightMap& map_of(std::size_t object) const;  // every object's; std::out_of_range beyond them
     std::uint64_t map_revision() const;                 // changes whenever map() does
     // What tools leave as it is, of the edited object's map: 65535 protects, 0 is free. Null: nothing was

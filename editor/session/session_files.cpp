@@ -8,7 +8,7 @@ namespace relievo {
 void Session::save(const fs::path& path, const fs::path& colour_path) {
     State& s = *state_;
     s.require_no_stroke();
-    s.require_map("save");
+    require_map("save");
     const MapFormat named = format_of(path);
     const bool both_exr = named == MapFormat::exr_float && s.file.format == MapFormat::exr_half;
     const MapFormat format = both_exr ? MapFormat::exr_half : named;
@@ -39,7 +39,7 @@ fs::path Session::colour_path_for(const fs::path& map) const {
 
 void Session::export_map(const fs::path& path, MapFormat format, MapRange range) const {
     state_->require_no_stroke();
-    state_->require_map("export");
+    require_map("export");
     if (format_of(path) != format && format != MapFormat::exr_half)
         throw std::invalid_argument(path.string() +
                                     ": the extension names another format than the one that was chosen");

@@ -69,13 +69,6 @@ struct Session::State {
         view->upload_colours(colours.view(), painted, times);
     }
 
-    // Else file.map is an exemplar, which is not what is seen.
-    void require_map(const std::string& then) const {
-        if (source)
-            throw std::invalid_argument("the heights are procedural: bake them into a map first, then " + then +
-                                        " that");
-    }
-
     // `write` writes `file`. Where the session began with that, the recovery journal keeps it first.
     void replace_file(const fs::path& file, const std::function<void()>& write) {
         for (const auto& [which, start] : start_files())

@@ -52,7 +52,7 @@ float Session::world_radius(const PickHit& hit, const Ray& ray, const Ray& next_
 void Session::begin_stroke() {
     State& s = *state_;
     s.require_no_stroke();
-    s.require_map("sculpt");
+    require_map("sculpt");
     check_brush(s.brush);
     const bool clones = s.brush.tool == Tool::clone;
     if (clones && !s.clone_source.is_set())
