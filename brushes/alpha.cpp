@@ -33,10 +33,9 @@ void check(const std::filesystem::path& path, int width, int height, const std::
 Alpha::Alpha(std::filesystem::path path, int width, int height, std::vector<float> values)
     : path_(std::move(path)) {
     check(path_, width, height, values);
-    float largest = 1.0f;
-    for (const float value : values) largest = std::max(largest, std::abs(value));
-    if (largest > 1.0f)
-        for (float& value : values) value /= largest;
+    for (const float value : values) largest_ = std::max(largest_, std::abs(value));
+    if (largest_ > 1.0f)
+        for (float& value : values) value /= largest_;
     Fnv1a64 hash;
     hash.add_little_endian(static_cast<std::uint32_t>(width));
     hash.add_little_endian(static_cast<std::uint32_t>(height));

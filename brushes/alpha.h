@@ -23,6 +23,7 @@ class Alpha {
     Alpha(std::filesystem::path path, int width, int height, std::vector<float> values);
 
     const std::filesystem::path& path() const { return path_; }  // as given
+    float largest() const { return largest_; }  // what all values were divided by; 1: by nothing
     int width() const { return levels_.front().width; }
     int height() const { return levels_.front().height; }
     std::span<const float> values() const { return levels_.front().values; }  // row 0 at the bottom
@@ -43,6 +44,7 @@ class Alpha {
     float bilinear(std::size_t level, double x, double y) const;
 
     std::filesystem::path path_;
+    float largest_ = 1;
     std::vector<Level> levels_;
     std::uint64_t hash_;
 };

@@ -62,7 +62,8 @@ void draw_alpha_picker(Desk& desk) {
     }
     ImGui::SetCursorPosX(left);
     if (push_button("Open...", true,
-                    "Any image: white is raised, black stays as it is. Journals name the file and know its "
+                    "Any image: white is raised, black stays as it is. Where values go beyond 1, as those of EXR may, the "
+                    "largest counts as white. Journals name the file and know its "
                     "values: keep it where it is."))
         desk.view.wanted = Dialog::alpha;
 }

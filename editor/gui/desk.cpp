@@ -14,6 +14,7 @@
 #include "editor/session/render_output.h"
 #include "editor/session/settings.h"
 #include "editor/session/stroke_input.h"
+#include "editor/session/text.h"
 #include "renderer/methods/registry.h"
 
 namespace relievo::gui {
@@ -191,7 +192,13 @@ void Desk::start_drag(BrushDrag drag) {
 }
 
 void Desk::set_alpha(const std::filesystem::path& path) {
-    attempt([&] { session.set_alpha(alphas.add(path).alpha); });
+    attempt([&] {
+        const auto& alpha = alphas.add(path).alpha;
+        session.set_alpha(alpha);
+        if (alpha->largest() > 1)
+            toasts.info(path.filename().string() + " holds values beyond 1: all are divided by the largest, " +
+                        formatted("%.4g", static_cast<double>(alpha->largest())) + ", which counts as white");
+    });
 }
 
 void Desk::set_clone_source(double x_px, double y_px) {

@@ -30,6 +30,8 @@ TEST(Alpha, values_beyond_one_are_scaled_and_holes_stay_holes) {
     const Alpha alpha("a", 2, 1, {-4.0f, 2.0f});
     EXPECT_EQ(alpha.at(-0.5, 0, 0), -1.0f);
     EXPECT_EQ(alpha.at(0.5, 0, 0), 0.5f);
+    EXPECT_EQ(alpha.largest(), 4.0f);
+    EXPECT_EQ(Alpha("a", 1, 1, {0.5f}).largest(), 1.0f);
     EXPECT_EQ(alpha.at(0, 0, 0), -0.25f);
     EXPECT_EQ(alpha.at(0.5, 0.51, 0), 0.0f) << "above a wide image";
     EXPECT_EQ(alpha.at(0, 0, 100.0), -0.25f) << "the coarsest level";
