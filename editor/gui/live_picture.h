@@ -34,6 +34,7 @@ class LivePicture {
     // Of the mask, where there is one and light is shown.
     void set_mask_shown(bool shown);
     bool mask_shown() const { return mask_shown_; }
+    bool view_shows_mask() const { return !shows_layers(view()); }
 
     // The right part of the picture is traced by `method`; std::nullopt: one pane. Throws as Renderer does.
     void compare_with(const std::optional<MethodChoice>& method);

@@ -81,11 +81,20 @@ void PointerControl::on_press(const InputEvent& local) {
         const Brush brush = stroke_.brush_for(local);
         if (brush.tool == Tool::mask && brush.blur && !desk_->session.mask())
             return desk_->toasts.info("Nothing is masked yet: there is no border to blur");
+        if (brush.tool == Tool::mask) tell_if_mask_is_unseen();
         desk_->attempt([&] {
             desk_->prepare_to_paint(brush);
             stroke_.begin(local);
         });
     }
+}
+
+void PointerControl::tell_if_mask_is_unseen() {
+    const LivePicture& live = desk_->live;
+    if (!live.view_shows_mask())
+        desk_->toasts.info("This view does not show the mask; Beauty and Prisms do");
+    else if (!live.mask_shown())
+        desk_->toasts.info("The mask is hidden; M shows it");
 }
 
 // The pixel under the pointer, of the renderer that shows it.

@@ -36,6 +36,7 @@ class PointerControl {
   private:
     enum class CameraDrag { none, orbit, pan, zoom };
     void ask(const InputEvent& local);
+    void tell_if_mask_is_unseen();
     void on_press(const InputEvent& local);
     void on_move(const InputEvent& local);
     void on_release(const InputEvent& local);
