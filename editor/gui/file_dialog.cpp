@@ -102,7 +102,7 @@ void FileDialog::draw_places() {
     }
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", folder_.string().c_str());
+    path_text(folder_.string());
 }
 
 std::optional<fs::path> FileDialog::draw_recent() {

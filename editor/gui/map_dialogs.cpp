@@ -95,7 +95,7 @@ void MapDialogs::name_row(MapFormat& format) {
         ImGui::EndCombo();
     }
     row_label("File");
-    if (ImGui::InputText("##file", &name_)) ask_anew();
+    if (path_input("##file", name_)) ask_anew();
     tooltip(name_, "File");
 }
 

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +107,49 @@ void text_row(std::string_view label, std::string_view value) {
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(value.data(), value.data() + value.size());
     ImGui::PopTextWrapPos();
+}
+
+std::string fitting_end(std::string_view path, float room, const std::function<float(std::string_view)>& width_of) {
+    if (width_of(path) <= room) return std::string(path);
+    constexpr std::string_view kCut = "...";
+    const auto within_a_letter = [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; };
+    std::string shown(kCut);
+    do {
+        path.remove_prefix(1);
+        while (!path.empty() && within_a_letter(path.front())) path.remove_prefix(1);
+        shown = std::string(kCut) + std::string(path);
+    } while (!path.empty() && width_of(shown) > room);
+    return shown;
+}
+
+namespace {
+
+float width_of_text(std::string_view text) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+}
+
+}  // namespace
+
+void path_text(const std::string& path) {
+    const std::string shown = fitting_end(path, ImGui::GetContentRegionAvail().x, width_of_text);
+    ImGui::TextDisabled("%s", shown.c_str());
+    if (shown != path) tooltip(path);
+}
+
+bool path_input(const char* label, std::string& path) {
+    const ImVec2 low = ImGui::GetCursorScreenPos(), pad = ImGui::GetStyle().FramePadding;
+    const std::string shown = fitting_end(path, ImGui::CalcItemWidth() - 2 * pad.x, width_of_text);
+    const bool idle = ImGui::GetActiveID() != ImGui::GetID(label);
+    // Dear ImGui's field shows the start until it is being edited.
+    const bool end_only = idle && shown != path;
+    if (end_only) ImGui::PushStyleColor(ImGuiCol_Text, 0);
+    const bool changed = ImGui::InputText(label, &path, ImGuiInputTextFlags_AutoSelectAll);
+    if (end_only) {
+        ImGui::PopStyleColor();
+        ImGui::GetWindowDrawList()->AddText({low.x + pad.x, low.y + pad.y}, ImGui::GetColorU32(ImGuiCol_Text),
+                                            shown.c_str());
+    }
+    return changed;
 }
 
 bool section(const char* title) {

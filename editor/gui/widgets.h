@@ -1,6 +1,8 @@
 // Rows of a panel: a label, a control, and a tooltip that says what it means.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <string_view>
 
 struct ImVec2;
@@ -22,6 +24,13 @@ bool slider_row(std::string_view label, float& value, const Range& range, std::s
 bool switch_row(std::string_view label, bool& value, std::string_view tooltip);
 bool color_row(std::string_view label, float (&rgb)[3], std::string_view tooltip);  // linear
 void text_row(std::string_view label, std::string_view value);
+
+// A path's end says which file it is: where there is no room for the whole, that is what is seen of it.
+// "..." and as much of the end as fits, of UTF-8; all of it where it does.
+std::string fitting_end(std::string_view path, float room, const std::function<float(std::string_view)>& width_of);
+void path_text(const std::string& path);  // dim, up to the line's end; a tooltip has the whole where it is cut off
+// True when the user changed it. A click takes all of it and goes to its end.
+bool path_input(const char* label, std::string& path);
 
 // A heading that folds what follows; returns whether it is open.
 bool section(const char* title);
