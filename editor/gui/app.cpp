@@ -204,6 +204,8 @@ void App::handle_input() {
         events.pop_front();
         if (event.kind == InputEvent::Kind::key) {
             handle_key(event);
+            // The dialog that Esc closes is there until the next frame; what follows is meant for what lies behind it.
+            if (event.code == GLFW_KEY_ESCAPE && !picture_free()) break;
             continue;
         }
         const std::uint64_t dabs = pointer_.dabs();
