@@ -202,13 +202,13 @@ TEST(FailedSave, a_program_that_is_killed_in_the_middle_leaves_nothing_beside_th
     if (nameless < 0) GTEST_SKIP() << "this file system has no files without names";
     ::close(nameless);
     write_bytes(folder / "m.tif", "old");
+    const std::vector<std::byte> content(1 << 20);
     const pid_t child = ::fork();
     if (child == 0) {
         std::signal(SIGXFSZ, SIG_DFL);  // which kills
         const rlimit limit{4096, 4096}, none{0, 0};
         ::setrlimit(RLIMIT_CORE, &none);
         ::setrlimit(RLIMIT_FSIZE, &limit);
-        const std::vector<std::byte> content(1 << 20);
         write_file_atomically(folder / "m.tif", content);
         ::_exit(0);
     }

@@ -43,6 +43,7 @@ def sliders_exemplar_bake_and_stroke_replay(case):
     def picture_follows():
         wait_for("another picture while the slider is held",
                  lambda: difference(before, case.desktop.screen(), PICTURE) > 4)
+        editor.screenshot()  # a slider takes what it has seen before the release
 
     case.desktop.drag([(777 - 4 * i, SCALE) for i in range(12)], before_release=picture_follows)
     case.desktop.drag([(720 + 4 * i, SEED) for i in range(8)])
