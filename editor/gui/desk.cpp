@@ -54,8 +54,9 @@ void Desk::set_camera(const Camera& camera) {
 
 void Desk::undo() {
     attempt([&] {
+        const std::uint64_t before = session.surface_revision();
         if (session.undo()) {
-            live.restart();
+            if (session.surface_revision() != before) live.restart();
         } else {
             toasts.info("Nothing to undo");
         }
@@ -64,8 +65,9 @@ void Desk::undo() {
 
 void Desk::redo() {
     attempt([&] {
+        const std::uint64_t before = session.surface_revision();
         if (session.redo()) {
-            live.restart();
+            if (session.surface_revision() != before) live.restart();
         } else {
             toasts.info("Nothing to redo");
         }

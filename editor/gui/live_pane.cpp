@@ -38,6 +38,11 @@ PixelRect common(const PixelRect& a, const PixelRect& b) {
     return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
+PixelRect around_both(const PixelRect& a, const PixelRect& b) {
+    if (empty(a) || empty(b)) return empty(a) ? b : a;
+    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
 // A moving average: single calls are noisy, and the first one of a kind may wait for a compiler.
 void learn(double& ms_per_pixel, double ms, double pixel_count) {
     if (pixel_count > 0) ms_per_pixel += 0.3 * (std::min(ms / pixel_count, 4 * ms_per_pixel) - ms_per_pixel);
@@ -107,7 +112,10 @@ void LivePane::restart() {
     phase_ = Phase::stale;
 }
 
-void LivePane::begin_stroke() {
+void LivePane::begin_stroke(bool of_mask) {
+    repaints_ = of_mask && can_repaint();
+    mask_due_ = {};
+    if (repaints_) return;
     set_renderer_size(full_size());
     if (phase_ == Phase::moving) mark_all_stale();
     in_stroke_ = true;
@@ -129,17 +137,28 @@ void LivePane::after_dab() {
     const auto around = [](double at, double by) {
         return static_cast<int>(std::floor(std::clamp(at + by, -1e6, 1e6)));
     };
-    stale_.mark({around(centre->x, -reach), around(centre->y, -reach), around(centre->x, reach) + 1,
-                 around(centre->y, reach) + 1},
-                StaleTiles::urgent);
-    stale_.mark(window_around(*centre, kLiveWindow, renderer_->width(), renderer_->height()),
-                StaleTiles::late);
+    const PixelRect brush{around(centre->x, -reach), around(centre->y, -reach), around(centre->x, reach) + 1,
+                          around(centre->y, reach) + 1};
+    const PixelRect near = window_around(*centre, kLiveWindow, renderer_->width(), renderer_->height());
+    if (repaints_) {
+        mask_due_ = around_both(mask_due_, common(around_both(brush, near), whole()));
+        return;
+    }
+    stale_.mark(brush, StaleTiles::urgent);
+    stale_.mark(near, StaleTiles::late);
     pass_pixels_ = kNotWhole;
     focus_ = *centre;
     live_ms_ = 0;
 }
 
+void LivePane::cancel_stroke(bool changed) {
+    const bool repainted = repaints_;
+    end_stroke(changed);
+    if (changed && !repainted) restart();
+}
+
 void LivePane::end_stroke(bool changed) {
+    if (std::exchange(repaints_, false)) return;
     in_stroke_ = false;
     if (changed) start_sampling();
     phase_ = stale_.count() > 0 ? Phase::stale : Phase::sampling;
@@ -149,6 +168,7 @@ void LivePane::start_sampling() {
     phase_ = Phase::sampling;
     next_row_ = 0;
     sampling_since_ = Clock::now();
+    if (!shows_layers()) renderer_->restart();
 }
 
 bool LivePane::idle() const {
@@ -244,7 +264,6 @@ void LivePane::trace_stale(double slice_ms) {
     if (stale_.count() > 0 || in_stroke_) return;
     if (shows_layers()) finish_pass();
     start_sampling();
-    if (!shows_layers()) renderer_->restart();
     pass_ms_ = pass_pixels_ = 0;
 }
 
@@ -292,9 +311,17 @@ void LivePane::show_veiled(const PixelRect& window) {
     changed_ = true;
 }
 
+void LivePane::repaint_due() {
+    const PixelRect due = std::exchange(mask_due_, {});
+    if (empty(due) || !can_repaint()) return;
+    show_veiled(due);
+    traced_.push_back(due);
+}
+
 // Nothing is traced again where it is known what lies under each pixel.
 void LivePane::mask_changed() {
     if (in_stroke_ || shows_layers() || phase_ == Phase::moving) return;
+    if (repaints_) return repaint_due();
     if (veil_.knows_all() && veil_.size() == renderer_size()) {
         show_veiled(whole());
     } else {

@@ -46,13 +46,14 @@ class LivePane {
     void choose_view();                 // another view, count or method
     void in_motion();                   // camera or settings change continuously: show something now
     void restart();                     // all is stale, keep what is shown until it is replaced
-    void begin_stroke();                // full size from now on
-    void after_dab();                   // session.last_dab() changed the surface
-    void end_stroke(bool changed);      // false: it left the surface as it was
+    void begin_stroke(bool of_mask);    // full size from now on
+    void after_dab();                   // session.last_dab() changed the surface, or the mask
+    void end_stroke(bool changed);      // false: it left all as it was
+    void cancel_stroke(bool changed);   // the session has cancelled it; false: likewise
     // The palette, or what it refers to, has changed; a window of the renderer's pixels.
     void repaint(const PixelRect& window);
 
-    // The mask, or whether it is shown, has changed other than by the stroke under way.
+    // The mask, or whether it is shown, has changed.
     void mask_changed();
 
     // Traces the most wanted piece, about `slice_ms` worth of it; in motion a whole frame of about
@@ -76,7 +77,12 @@ class LivePane {
 
     bool shows_layers() const { return gui::shows_layers(choice_->palette.view); }
     bool veiled() const { return choice_->veil && !shows_layers(); }
+    // What lies under each pixel is known: another mask needs no ray.
+    bool can_repaint() const {
+        return veiled() && phase_ == Phase::sampling && veil_.knows_all() && veil_.size() == renderer_size();
+    }
     void show_veiled(const PixelRect& window);
+    void repaint_due();
     PixelSize renderer_size() const { return {renderer_->width(), renderer_->height()}; }
     PixelRect whole() const { return {0, 0, renderer_->width(), renderer_->height()}; }
     void set_renderer_size(PixelSize size);
@@ -105,6 +111,8 @@ class LivePane {
     std::vector<double> passes_ms_;  // the last ones
     int next_row_ = 0;               // of the sample under way
     bool in_stroke_ = false, changed_ = false;
+    bool repaints_ = false;  // in a stroke of the mask: the picture goes on under it
+    PixelRect mask_due_{};   // what its dabs cover and is not shown yet
     StaleTiles stale_;
     glm::dvec2 focus_{0};  // pixels of the renderer: where the brush was last, else the middle
     double live_ms_ = 0;   // of tracing since the last dab

@@ -114,8 +114,8 @@ void LivePicture::in_motion() {
 void LivePicture::restart() {
     for (auto& pane : panes_) pane->restart();
 }
-void LivePicture::begin_stroke() {
-    for (auto& pane : panes_) pane->begin_stroke();
+void LivePicture::begin_stroke(bool of_mask) {
+    for (auto& pane : panes_) pane->begin_stroke(of_mask);
 }
 void LivePicture::after_dab() {
     for (auto& pane : panes_) pane->after_dab();
@@ -123,6 +123,11 @@ void LivePicture::after_dab() {
 void LivePicture::end_stroke(bool changed) {
     for (auto& pane : panes_) pane->end_stroke(changed);
     if (choice_.veil) follow_mask();  // what the stroke's window left out: copies by symmetry
+}
+
+void LivePicture::cancel_stroke(bool changed) {
+    for (auto& pane : panes_) pane->cancel_stroke(changed);
+    if (choice_.veil) follow_mask();
 }
 
 bool LivePicture::idle() const {

@@ -50,9 +50,10 @@ class LivePicture {
 
     void in_motion();  // the rest as in live_pane.h
     void restart();
-    void begin_stroke();
+    void begin_stroke(bool of_mask);
     void after_dab();
     void end_stroke(bool changed);
+    void cancel_stroke(bool changed);
 
     // Traces what is most wanted, at least one slice a pane, then more until `budget_ms` have passed; and
     // shows what the reference has found.

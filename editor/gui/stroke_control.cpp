@@ -73,7 +73,7 @@ void StrokeControl::begin(const InputEvent& event) {
         throw;
     }
     session.brush() = chosen;
-    live.begin_stroke();
+    live.begin_stroke(brush.tool == Tool::mask);
     input_.emplace(
         brush, [&session](std::span<const Ray> rays) { return session.renderer().pick(rays); },
         [&session](double x, double y) { return session.renderer().camera_ray(x, y); },
@@ -122,8 +122,7 @@ void StrokeControl::cancel() {
     input_.reset();
     const bool changed = session_->last_dab().has_value();
     session_->cancel_stroke();
-    live_->end_stroke(changed);
-    if (changed) live_->restart();
+    live_->cancel_stroke(changed);
 }
 
 }  // namespace relievo::gui

@@ -62,6 +62,9 @@ std::array<float, 3> Session::colour_at(const PickHit& hit) const {
 std::uint64_t Session::colour_revision() const {
     return state_->colour_revision;
 }
+std::uint64_t Session::surface_revision() const {
+    return map_revision() + colour_revision();
+}
 bool Session::has_renderer() const {
     return state_->view != nullptr;
 }
@@ -110,13 +113,14 @@ bool Session::undo() {
     State& s = *state_;
     s.require_no_stroke();
     if (!s.sculptor->can_undo()) return false;
+    const std::uint64_t before = surface_revision();
     s.apply([&] { return s.sculptor->undo(); },
             [&] {
                 s.steps.undo();
                 s.colour_steps.undo();
                 s.recorder->record(UndoOp{});
             });
-    s.restart_image();
+    if (surface_revision() != before) s.restart_image();
     return true;
 }
 
@@ -124,13 +128,14 @@ bool Session::redo() {
     State& s = *state_;
     s.require_no_stroke();
     if (!s.sculptor->can_redo()) return false;
+    const std::uint64_t before = surface_revision();
     s.apply([&] { return s.sculptor->redo(); },
             [&] {
                 s.steps.redo();
                 s.colour_steps.redo();
                 s.recorder->record(RedoOp{});
             });
-    s.restart_image();
+    if (surface_revision() != before) s.restart_image();
     return true;
 }
 

@@ -73,6 +73,7 @@ class Session {
     // none.
     const ColourMap* colours() const;
     std::uint64_t colour_revision() const;  // changes whenever colours() does
+    std::uint64_t surface_revision() const;  // whenever either does: what is seen of the edited object
     // sRGB-encoded red, green and blue of the surface at a hit, [0, 1]: the nearest texel of the colour map,
     // or, where the object has none in this session, the material's albedo.
     std::array<float, 3> colour_at(const PickHit& hit) const;

@@ -98,6 +98,7 @@ struct Session::State {
     void restart_image() {
         if (view) view->restart();
     }
+    bool masks() const { return stroke.brush.tool == Tool::mask; }  // of the stroke: its picture stays
 
     SessionOptions options;
     Scene scene;

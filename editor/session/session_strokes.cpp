@@ -112,18 +112,18 @@ void Session::end_stroke() {
     s.apply([&] { return s.sculptor->end(); },
             [&] {
                 if (s.sculptor->steps_made() > steps_before)
-                    s.add_step(s.stroke.brush.tool != Tool::mask, paints(s.stroke.brush));
+                    s.add_step(!s.masks(), paints(s.stroke.brush));
                 if (s.stroke.alpha) s.recorder->keep_alpha(*s.alpha);
                 s.recorder->record(s.stroke);
             });
-    s.restart_image();
+    if (!s.masks()) s.restart_image();
 }
 
 void Session::cancel_stroke() {
     State& s = *state_;
     s.apply([&] { return s.sculptor->cancel(); }, [] {});
     if (s.stroke.brush.tool == Tool::clone) s.clone_source.cancel();
-    if (!s.stroke.dabs.empty()) s.restart_image();
+    if (!s.stroke.dabs.empty() && !s.masks()) s.restart_image();
 }
 
 }  // namespace relievo

@@ -109,5 +109,29 @@ TEST_F(Live, EveryStageOfADabIsTimed) {
     EXPECT_FALSE(session.unsaved());
 }
 
+TEST_F(Live, WhatChangesTheMaskAloneKeepsThePicturesSamples) {
+    Session session(scene_, on_device());
+    Renderer& renderer = session.renderer();
+    test::sculpt(session, 2);
+    renderer.render();
+    renderer.render();
+    test::sculpt(session, 3, 4, Tool::mask);
+    session.begin_stroke();
+    session.dab({0, 60, 300000, 300000, 65535});
+    session.cancel_stroke();
+    session.undo();
+    session.redo();
+    EXPECT_EQ(renderer.samples(), 2);
+    session.undo();
+    session.undo();  // the surface
+    EXPECT_EQ(renderer.samples(), 0);
+    renderer.render();
+    session.redo();
+    EXPECT_EQ(renderer.samples(), 0);
+    renderer.render();
+    test::sculpt(session, 4);
+    EXPECT_EQ(renderer.samples(), 0);
+}
+
 }  // namespace
 }  // namespace relievo
