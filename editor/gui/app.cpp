@@ -34,6 +34,7 @@ constexpr double kTurnMs = 34, kInputMs = 14, kLateInputMs = 26, kLateUs = 50e3,
 constexpr double kRestSeconds = 0.5, kAirbrushSeconds = 0.02;
 constexpr double kUnhurriedMs = 100;  // between frames that show nothing new but numbers
 constexpr double kMemoryMs = 20e3;   // between two times that free memory goes back
+constexpr std::size_t kLargeMap = std::size_t{2048} * 2048;  // texels: half a second to save, and 16 times that at 8192
 constexpr int kClosingFrames = 2;
 constexpr int kSettleFrames = 3;
 
@@ -77,6 +78,7 @@ Departure App::run() {
     while (!desk_.departure) {
         wait_for_input();
         timed(times_.input_ms, [&] { handle_input(); });
+        save_if_due();
         if (window_->close_wanted() && !pointer_.stroke_ends()) {
             window_->refuse_close();
             pointer_.cancel();
@@ -90,6 +92,7 @@ Departure App::run() {
         timed(times_.cursor_ms, [&] { follow_pointer(); });
         // While the picture only refines, the device's time is the tracer's.
         if (frames_due_ > 0 || live_.take_changed() || ms_since(last_drawn_) > kUnhurriedMs) draw();
+        save_if_due();
         update_title();
         if (const std::string trouble = reference_.take_trouble(); !trouble.empty())
             toasts_.error("The reference: " + trouble);
@@ -206,6 +209,7 @@ void App::handle_input() {
             handle_key(event);
             // The dialog that Esc closes is there until the next frame; what follows is meant for what lies behind it.
             if (event.code == GLFW_KEY_ESCAPE && !picture_free()) break;
+            if (desk_.view.save_due) break;  // what follows is not in it
             continue;
         }
         const std::uint64_t dabs = pointer_.dabs();
@@ -294,6 +298,19 @@ void App::update_title() {
     const std::string map = path ? path->filename().string() : "new map";
     window_->set_title((session.unsaved() ? "* " : "") + map + " - " +
                        session.scene().path.filename().string() + " - Relievo");
+}
+
+// The window stands still meanwhile: where that is to be felt, it says so first.
+void App::save_if_due() {
+    if (!std::exchange(desk_.view.save_due, false)) return;
+    const auto path = desk_.session.map_path();
+    if (!path) return;
+    if (desk_.session.map().texels().size() >= kLargeMap) {
+        toasts_.info("Saving " + path->filename().string() + "...");
+        draw();
+    }
+    desk_.save_to(*path);
+    frames_due_ = kSettleFrames;
 }
 
 void App::save_screenshot() {

@@ -42,6 +42,7 @@ class App {
     void draw_interface();
     void update_title();
     void save_screenshot();
+    void save_if_due();
 
     Window* window_;
     Screen* screen_;

@@ -75,11 +75,10 @@ void Desk::redo() {
 }
 
 void Desk::save() {
-    if (const auto path = session.map_path()) {
-        save_to(*path);
-    } else {
+    if (session.map_path())
+        attempt([&] { view.save_due = true; });
+    else
         view.wanted = Dialog::save_as;
-    }
 }
 
 bool Desk::save_to(const std::filesystem::path& path) {

@@ -63,6 +63,7 @@ struct ViewState {
     Dialog wanted = Dialog::none;
     BrushDrag brush_drag = BrushDrag::none;
     bool screenshot_wanted = false;
+    bool save_due = false;     // to where the map came from, between two frames
     double full_fov_deg = 40;  // what flatten_view() goes back to
     MethodChoice second{};     // of the right part while the picture is split, and the next time
     bool hint = false;         // for a first stroke

@@ -27,6 +27,7 @@ void tooltip(std::string_view text, std::string_view title) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || (text.empty() && title.empty())) return;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(points(10), points(8)));
     ImGui::BeginTooltip();
+    ImGui::PushStyleColor(ImGuiCol_Text, kText);  // its control's may be another
     ImGui::PushTextWrapPos(points(320));
     if (!title.empty()) {
         ImGui::PushFont(strong_font());
@@ -35,6 +36,7 @@ void tooltip(std::string_view text, std::string_view title) {
     }
     if (!text.empty()) ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
 }

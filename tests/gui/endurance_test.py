@@ -2,9 +2,10 @@
 import json
 import os
 import shutil
+import subprocess
 import time
 
-from desktop import Desktop, Editor, difference, operations, strokes, wait_for
+from desktop import PATIENCE_S, Desktop, Editor, difference, operations, strokes, wait_for
 from dropping import drop
 from hands import Hands
 from random_test import memory_mib
@@ -12,6 +13,7 @@ from window_test import STROKE, finish_and_replay, run
 
 LEAST_GIVEN_BACK_MIB = 80  # 140 with it, 25 without
 RESTORED = 800  # strokes: seconds
+MESSAGE = (70, 530, 200, 560)  # pixels at the picture's lower left
 
 
 def click(case, x, y):
@@ -50,6 +52,24 @@ def journals_deleted_between_strokes_miss_nothing(case):
     for journal in (case.journal, recovery):
         wait_for(f"both strokes in {journal}", lambda: len(strokes(journal)) == 2)
     finish_and_replay(case, editor)
+
+
+def a_large_map_is_said_to_be_saved_before_it_is(case):
+    subprocess.run([case.relievo, "bake", os.path.join(case.assets, "scenes", "procedural_plane.json"), "-o", case.map,
+                    "--size", "2048x2048"], check=True, capture_output=True)
+    editor = case.open(case.journal)
+    case.stroke(case.journal)
+    case.desktop.do("mousemove", 300, 30)
+    old, before, said = os.stat(case.map).st_ino, case.desktop.screen(), False
+    Hands(case.desktop.display).tap("s", held=["Control_L"])
+    deadline = time.monotonic() + PATIENCE_S
+    while os.stat(case.map).st_ino == old:
+        said = said or difference(before, case.desktop.screen(), MESSAGE) > 3
+        assert time.monotonic() < deadline, "it was not saved"
+    assert said, "nothing was said while the window stood still"
+    wait_for("the record of the save", lambda: operations(case.journal)[-1]["op"] == "save")
+    case.desktop.key("ctrl+q")
+    editor.ended()
 
 
 def what_cannot_be_saved_on_the_way_out_is_saved_elsewhere(case):
@@ -226,7 +246,7 @@ def a_long_restore_can_be_stopped_and_done_later(case):
 
 
 if __name__ == "__main__":
-    run((memory_of_compilers_goes_back, journals_deleted_between_strokes_miss_nothing,
+    run((memory_of_compilers_goes_back, a_large_map_is_said_to_be_saved_before_it_is, journals_deleted_between_strokes_miss_nothing,
          what_cannot_be_saved_on_the_way_out_is_saved_elsewhere, dialogs_fit_a_small_window_with_large_letters,
          a_command_during_a_stroke_that_lags_is_refused_aloud,
          files_dropped_together_are_opened_together_or_not_at_all, a_scene_that_cannot_be_opened_takes_nothing_away,
