@@ -58,7 +58,6 @@ void file_menu(Desk& desk) {
     if (push_button("File", true, {})) ImGui::OpenPopup("file");
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y});
     if (!ImGui::BeginPopup("file")) return;
-    if (escape_pressed()) ImGui::CloseCurrentPopup();
     const auto item = [&](const char* name, const char* keys, Dialog dialog) {
         if (ImGui::MenuItem(name, keys)) desk.view.wanted = dialog;
     };
@@ -77,6 +76,9 @@ void file_menu(Desk& desk) {
     if (ImGui::MenuItem("Screenshot", "F12")) desk.view.screenshot_wanted = true;
     scale_menu(desk);
     if (ImGui::MenuItem("Quit", "Ctrl+Q")) desk.leave({});
+    // With the list over it, which the pointer would open again; and after that, or it would stay, without a menu to
+    // draw it.
+    if (escape_pressed()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
@@ -253,7 +255,6 @@ void more_button(Desk& desk, int shown) {
     if (lit) ImGui::PopStyleColor();
     ImGui::SetNextWindowPos(ImGui::GetItemRectMax(), ImGuiCond_Always, {1, 0});
     if (!ImGui::BeginPopup("more")) return;
-    if (escape_pressed()) ImGui::CloseCurrentPopup();
     for (const BarItem& item : kItems) {
         if (item.rank < shown) continue;
         ImGui::AlignTextToFramePadding();

@@ -147,13 +147,25 @@ def a_key_right_behind_escape_is_not_lost(case):
     editor = case.open(case.journal)
     hands = Hands(case.desktop.display)
     cameras = []
+
+    def look_from(key):
+        hands.tap(key)
+        wait_for(f"the view of {key}", lambda: [op["value"] for op in operations(case.journal)][-1:] not in ([], cameras))
+        cameras[:] = [operations(case.journal)[-1]["value"]]
+
     for key in ("KP_1", "KP_3", "KP_7"):
         hands.tap("F1")
         editor.screenshot()  # the dialog is open now
         hands.tap("Escape")
-        hands.tap(key)
-        wait_for(f"the view of {key}", lambda: [op["value"] for op in operations(case.journal)][-1:] not in ([], cameras))
-        cameras = [operations(case.journal)[-1]["value"]]
+        look_from(key)
+    # A menu, and the list of an entry under the pointer.
+    case.desktop.drag([(29, 22)] * 2)
+    editor.screenshot()
+    case.desktop.do("mousemove", 80, 285)
+    time.sleep(0.5)
+    case.desktop.key("Escape")
+    editor.screenshot()
+    look_from("KP_1")
     case.desktop.key("ctrl+q")
     editor.ended()
 
