@@ -110,6 +110,13 @@ FUNC bool enter_prism(Primitive p, vec3 o, vec3 d, float t_min, float t_max, flo
     float widen = margin * p.q1x * p.q2.y;
     bool entered = false;
     vec3 widened = vec3(widen, 0.0f, 0.0f);
+    // Most boxes that a ray meets hold a prism that it misses: one with a numerator that is negative at both ends of the
+    // slab, beyond rounding, and cannot bow up to zero between them. That takes no roots.
+    float bow = 0.2501f * r.high * r.high, slack = 1e-6f * r.high;
+    float most0 = max(r.n0.x, quadratic(r.n0, r.high)) + abs(r.n0.z) * bow + abs(r.n0.y) * slack;
+    float most1 = max(r.n1.x, quadratic(r.n1, r.high)) + abs(r.n1.z) * bow + abs(r.n1.y) * slack;
+    float most2 = max(r.n2.x, quadratic(r.n2, r.high)) + abs(r.n2.z) * bow + abs(r.n2.y) * slack;
+    if (min(min(most0, most1), most2) + widen < 0.0f) return false;
     if (!clip_quadratic(r.n0 + widened, r.low, r.high, entered)) return false;
     if (entered) { r.from_side = true; r.entry_edge = 0u; }
     if (!clip_quadratic(r.n1 + widened, r.low, r.high, entered)) return false;
