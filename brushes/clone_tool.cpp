@@ -31,10 +31,10 @@ void clone(const Work& work) {
         const glm::dvec3 offset = glm::dvec3(base_of(part, texel)) - glm::dvec3(target.base);
         const glm::dvec3 place = glm::dvec3(source.base) + glm::dot(offset, there.right) * here.right +
                                  glm::dot(offset, there.up) * here.up;
-        const auto fit = relief.at(glm::vec3(place), source.base_normal);
-        if (!fit) return;
+        const auto value = relief.at(glm::vec3(place), source.base_normal);
+        if (!value) return;
         const float before = static_cast<float>(part.stroke.before(texel.x, texel.y));
-        const float change = (static_cast<float>(fit->value) - before) * weight;
+        const float change = (static_cast<float>(*value) - before) * weight;
         if (std::abs(change) > std::abs(part.change(texel))) part.change_to(texel, change);
     });
 }

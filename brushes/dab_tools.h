@@ -8,7 +8,8 @@
 //            kDrawRise * radius * spacing. Without accumulate, a stroke raises by rise, however often it
 //            passes.
 //   inflate  as draw, over the cosine between the relief's normal and the base's (at least kLeastCosine): the
-//            relief moves along its own normal, so that slopes grow sideways.
+//            relief moves along its own normal, so that slopes grow sideways. It is the normal of what is wider
+//            than a quarter of the radius and than three texels, taken uphill (broad_slope.h).
 //   noise    as draw, times a noise of [-1, 1] at the texel's place on the base mesh.
 //   stamp    raises by rise times the image's value, at every dab: one press. Without accumulate, a stroke
 //   raises

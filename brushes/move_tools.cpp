@@ -18,8 +18,8 @@ glm::vec3 along_surface(glm::vec3 v, glm::vec3 normal) {
 
 // How much the texel's value changes when the relief at `from` comes to it.
 float carried(const Relief& relief, glm::vec3 base, glm::vec3 from, const SurfaceTexel& texel, float value) {
-    const auto fit = relief.at(base + from, texel.normal);
-    return fit ? static_cast<float>(fit->value) - value : 0.0f;
+    const auto found = relief.at(base + from, texel.normal);
+    return found ? static_cast<float>(*found) - value : 0.0f;
 }
 
 // The fraction of its distance to the centre from further out that a texel's relief comes from.

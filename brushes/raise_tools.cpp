@@ -1,6 +1,7 @@
 // The tools that raise, lower or move to a value: draw, inflate, noise, level, erase, mask.
 #include <cmath>
 
+#include "brushes/broad_slope.h"
 #include "brushes/dab_work.h"
 #include "brushes/noise.h"
 #include "brushes/relief.h"
@@ -39,10 +40,10 @@ void draw(const Work& work) {
 
 void inflate(const Work& work) {
     constexpr double kLeastCosine = 0.25;
-    const Relief relief(work, 1.1f * work.place.radius);
+    const bool up = (work.counts_per_unit > 0.0) != work.brush.invert;
+    const BroadSlope slopes(work, 1.1f * work.place.radius, up);
     raise(work, [&](const SurfaceTexel& texel) {
-        const auto fit = relief.at(base_of(work, texel), texel.normal);
-        const double slope = fit ? fit->slope / work.counts_per_unit : 0.0;
+        const double slope = slopes.at(base_of(work, texel), texel.normal) / work.counts_per_unit;
         return static_cast<float>(std::min(std::sqrt(1.0 + slope * slope), 1.0 / kLeastCosine));
     });
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "brushes/dab_work.h"
+#include "brushes/texel_spacing.h"
 
 namespace relievo {
 namespace {
@@ -18,31 +19,6 @@ constexpr double kWidening = 4.0;  // of the reach, from grid to grid: islands m
 std::int64_t cell_of(double place, double cell) {
     return static_cast<std::int64_t>(std::clamp(std::floor(place / cell), -4e5, 4e5));
 }
-
-// Between neighbours: from the mean of those in a row, and from the ball's area: relief takes texels out of
-// the ball, and footprints may be stretched. Texels are added in the surface's order.
-class Spacing {
-  public:
-    explicit Spacing(double reach) : reach_(reach) {}
-
-    void add(const SurfaceTexel& texel, glm::vec3 base) {
-        if (texels_ > 0 && texel.x == x_ + 1 && texel.y == y_) {
-            const double step = static_cast<double>(glm::length(base - base_));
-            if (step <= reach_) sum_ += step, count_ += 1;  // else over a seam to another island
-        }
-        x_ = texel.x, y_ = texel.y, base_ = base;
-        texels_ += 1;
-    }
-    double value() const {
-        const double by_area = reach_ * std::sqrt(3.14159265 / texels_);
-        return count_ > 0 && sum_ > 0 ? std::clamp(by_area, sum_ / count_, 3.0 * sum_ / count_) : by_area;
-    }
-
-  private:
-    double reach_, sum_ = 0, count_ = 0, texels_ = 0;
-    std::int32_t x_ = 0, y_ = 0;
-    glm::vec3 base_{0};
-};
 
 // A margin of texels around a ball, for fits at the rim: its width, and how many texels both hold together.
 constexpr float kMargin = 3.0f;  // texels
@@ -90,7 +66,7 @@ Relief::Relief(const Work& work, glm::vec3 centre, float reach) : centre_(centre
     if (texels == 0) return;
     const float ball = reach + margin_of(reach, texels);
     sites_.reserve(with_margin(texels));
-    Spacing spacing(double{ball});
+    TexelSpacing spacing(double{ball});
     work.surface.visit_ball(centre, ball, [&](std::span<const SurfaceTexel> part) {
         for (const SurfaceTexel& t : part) {
             sites_.push_back({base_of(work, t), t.normal, work.value(t)});
@@ -125,7 +101,7 @@ Relief::Relief(const Work& work, const SurfacePoint& about, float reach) : centr
     if (texels == 0) return;
     ball += margin_of(ball, texels);
     sites_.reserve(with_margin(texels));
-    Spacing spacing(double{ball});
+    TexelSpacing spacing(double{ball});
     work.surface.visit_ball(about.position, ball, [&](std::span<const SurfaceTexel> part) {
         for (const SurfaceTexel& t : part) {
             if (!(glm::dot(t.normal, n) > 0.0f)) continue;
@@ -171,7 +147,7 @@ const Relief::Grid& Relief::made(std::size_t level) const {
     return grid;
 }
 
-std::optional<Relief::Fit> Relief::fit(std::size_t level, glm::dvec3 base, glm::dvec3 n) const {
+std::optional<double> Relief::fit(std::size_t level, glm::dvec3 base, glm::dvec3 n) const {
     const Grid& grid = made(level);
     constexpr std::size_t kFewest = 3;
     const glm::dvec3 aside = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -206,10 +182,10 @@ std::optional<Relief::Fit> Relief::fit(std::size_t level, glm::dvec3 base, glm::
                  yv = sums.yv / sums.w - y * value;
     const double determinant = xx * yy - xy * xy;
     const double sx = (xv * yy - yv * xy) / determinant, sy = (yv * xx - xv * xy) / determinant;
-    return Fit{std::clamp(value - sx * x - sy * y, sums.low, sums.high), std::hypot(sx, sy) / reach};
+    return std::clamp(value - sx * x - sy * y, sums.low, sums.high);
 }
 
-std::optional<Relief::Fit> Relief::at(glm::vec3 base, glm::vec3 normal) const {
+std::optional<double> Relief::at(glm::vec3 base, glm::vec3 normal) const {
     for (std::size_t level = 0; level < kLevels && !sites_.empty(); ++level)
         if (const auto found = fit(level, glm::dvec3(base), glm::dvec3(normal))) return found;
     return std::nullopt;

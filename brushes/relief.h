@@ -43,13 +43,9 @@ class Relief {
     // curvature. Sites that face the other way are left out.
     Relief(const Work& work, const SurfacePoint& about, float reach);
 
-    struct Fit {
-        double value;  // counts
-        double slope;  // counts per world unit along the base, the steepest way
-    };
-    // At a place near the base mesh, which is dropped along `normal`. Only sites that face the same way
-    // count. None where no site is near.
-    std::optional<Fit> at(glm::vec3 base, glm::vec3 normal) const;
+    // The value at a place near the base mesh, which is dropped along `normal`, in counts. Only sites that
+    // face the same way count. None where no site is near.
+    std::optional<double> at(glm::vec3 base, glm::vec3 normal) const;
 
   private:
     static constexpr std::size_t kLevels = 3;
@@ -65,7 +61,7 @@ class Relief {
     void make_finest(double fit_reach);  // of sites_, as the surface gave them
     std::vector<std::uint32_t> place_sites(Grid& grid, const std::vector<std::uint32_t>& places) const;
     const Grid& made(std::size_t level) const;
-    std::optional<Fit> fit(std::size_t level, glm::dvec3 base, glm::dvec3 normal) const;
+    std::optional<double> fit(std::size_t level, glm::dvec3 base, glm::dvec3 normal) const;
 
     glm::vec3 centre_;
     std::vector<Site> sites_;            // in the finest grid's order
