@@ -1,6 +1,7 @@
 // See dab_cost.h. Tools that resample the relief fit a plane for every texel, which takes about ten times as
 // long as to raise it, and hold the relief around the brush; grab looks for where each came from, too, and
-// takes hold of more than twice the brush's reach.
+// takes hold of more than twice the brush's reach. Inflate adds every texel to the moments of corners around,
+// which takes as long, and holds the corners alone.
 #include "brushes/dab_cost.h"
 
 #include <algorithm>
@@ -11,14 +12,13 @@ namespace relievo {
 
 namespace {
 
-constexpr ToolSet kResamples =
-    tool_set({Tool::inflate, Tool::crease, Tool::pinch, Tool::grab, Tool::smear, Tool::clone});
+constexpr ToolSet kResamples = tool_set({Tool::crease, Tool::pinch, Tool::grab, Tool::smear, Tool::clone});
 constexpr ToolSet kLists =
     tool_set({Tool::smooth, Tool::flatten, Tool::clay, Tool::stamp, Tool::mask});  // mask: where it blurs
 
 double work_of_texel(Tool tool) {
     if (tool == Tool::grab) return 17;
-    return holds(kResamples, tool) ? 10 : 1;
+    return tool == Tool::inflate || holds(kResamples, tool) ? 10 : 1;
 }
 
 }  // namespace
