@@ -10,8 +10,8 @@
 // Dab after dab, a rise by the slope follows h_t = sqrt(1 + |grad h|^2), which differences taken about a
 // place make unstable: waves and spikes would grow behind every edge. After S. Osher, J. A. Sethian, "Fronts
 // propagating with curvature-dependent speed", J. Comput. Phys. 79, 1988, gradients are taken upwind: where
-// the relief rises, half a cell uphill, so that tops stay even and the feet of slopes move outwards. A dab
-// raises by less than a cell, as stability asks.
+// the relief rises, half a cell uphill, so that tops stay even and the feet of slopes move outwards. At the
+// usual spacing a dab raises by less than a third of a cell; stability asks for less than one.
 //
 // Sides that face apart must not mix, as those of a thin object: every corner has moments for each of the six
 // directions along the axes, and a texel adds to the three that its normal leans to by the squares of its
