@@ -116,7 +116,7 @@ void check_colour_path(const fs::path& path) {
     writer_of(path);
 }
 
-void save_colours(const ColourMap& map, const fs::path& path, const ColourOrigin* origin) {
+void save_colours(const ColourMap& map, const fs::path& path, const ColourOrigin* origin, const Advance& advance) {
     const std::string writer = writer_of(path);
     const bool same_size = origin && origin->spec.width == map.width() && origin->spec.height == map.height();
     OIIO::ImageSpec spec(map.width(), map.height(), 3,
@@ -134,7 +134,7 @@ void save_colours(const ColourMap& map, const fs::path& path, const ColourOrigin
     each_colour(spec, [&](std::size_t at, std::size_t channel, int x, int y) {
         put_count(pixels.data() + at, map.bits(), map.plane(channel).at(x, y));
     });
-    const std::vector<unsigned char> file = encoded_image(path, kKind, writer.c_str(), spec, pixels);
+    const std::vector<unsigned char> file = encoded_image(path, kKind, writer.c_str(), spec, pixels, advance);
     write_file_atomically(path, std::as_bytes(std::span(file)));
 }
 

@@ -36,6 +36,20 @@ void make_lossless(OIIO::ImageSpec& spec) {
     if (std::find(kLossy.begin(), kLossy.end(), kind) != kLossy.end()) spec.attribute("compression", "zip");
 }
 
+// By parts of some rows: of a large image each takes some hundredths of a second. Files are the same as those written at
+// once, as long as a part is a whole number of a TIFF's strips.
+int rows_at_a_time(const OIIO::ImageSpec& spec) {
+    constexpr int kRows = 64;
+    const int unit = spec.tile_width > 0 ? spec.tile_height : std::max(1, spec.get_int_attribute("tiff:RowsPerStrip", 32));
+    return (kRows + unit - 1) / unit * unit;
+}
+
+bool write_rows(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec, int begin, int end, const std::byte* pixels) {
+    const OIIO::TypeDesc type = spec.channelformats.empty() ? spec.format : OIIO::TypeDesc(OIIO::TypeDesc::UNKNOWN);
+    if (spec.tile_width == 0) return output.write_scanlines(spec.y + begin, spec.y + end, 0, type, pixels);
+    return output.write_tiles(spec.x, spec.x + spec.width, spec.y + begin, spec.y + end, 0, 1, type, pixels);
+}
+
 }  // namespace
 
 void keep_metadata(OIIO::ImageSpec& spec, const OIIO::ImageSpec& origin, bool same_format) {
@@ -55,7 +69,7 @@ void stop_the_clock(OIIO::ImageSpec& spec) {
 
 std::vector<unsigned char> encoded_image(const std::filesystem::path& path, const char* kind,
                                          const char* writer, const OIIO::ImageSpec& spec,
-                                         const std::vector<std::byte>& pixels) {
+                                         const std::vector<std::byte>& pixels, const Advance& advance) {
     const auto fail = [&](const std::string& what) {
         throw std::invalid_argument("cannot write " + std::string(kind) + " '" + path.string() +
                                     "': " + what);
@@ -65,12 +79,16 @@ std::vector<unsigned char> encoded_image(const std::filesystem::path& path, cons
     const auto output = OIIO::ImageOutput::create(writer);
     if (!output) fail("OpenImageIO was built without " + std::string(writer));
     output->set_ioproxy(&memory);
-    const OIIO::TypeDesc type =
-        spec.channelformats.empty() ? spec.format : OIIO::TypeDesc(OIIO::TypeDesc::UNKNOWN);
     // The name only serves the writer's messages: the bytes go to memory.
-    if (!output->open(path.filename().string(), spec) || !output->write_image(type, pixels.data()) ||
-        !output->close())
-        fail(output->geterror());
+    if (!output->open(path.filename().string(), spec)) fail(output->geterror());
+    const std::size_t row_bytes = static_cast<std::size_t>(spec.width) * spec.pixel_bytes(true);
+    for (int begin = 0, rows = rows_at_a_time(spec); begin < spec.height; begin += rows) {
+        if (advance && !advance(static_cast<double>(begin) / spec.height))
+            throw Stopped("stopped: '" + path.string() + "' stays as it was");
+        const std::byte* const part = pixels.data() + static_cast<std::size_t>(begin) * row_bytes;
+        if (!write_rows(*output, spec, begin, std::min(begin + rows, spec.height), part)) fail(output->geterror());
+    }
+    if (!output->close()) fail(output->geterror());
     return file;
 }
 

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "brushes/advance.h"
+
 namespace relievo {
 
 // Puts the metadata of `origin` into `spec`, but for what describes how the old file was encoded; where
@@ -20,9 +22,9 @@ void keep_metadata(OIIO::ImageSpec& spec, const OIIO::ImageSpec& origin, bool sa
 void stop_the_clock(OIIO::ImageSpec& spec);
 
 // The file's bytes. `writer`: OpenImageIO's name of the format; `pixels`: in the spec's own types, rows from
-// the top. Throws std::invalid_argument that says "cannot write KIND 'PATH'".
+// the top. Throws std::invalid_argument that says "cannot write KIND 'PATH'"; Stopped where `advance` says so.
 std::vector<unsigned char> encoded_image(const std::filesystem::path& path, const char* kind,
                                          const char* writer, const OIIO::ImageSpec& spec,
-                                         const std::vector<std::byte>& pixels);
+                                         const std::vector<std::byte>& pixels, const Advance& advance = {});
 
 }  // namespace relievo

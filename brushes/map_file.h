@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "brushes/advance.h"
 #include "brushes/height_map.h"
 
 namespace relievo {
@@ -50,7 +51,7 @@ LoadedMap load_map(const std::filesystem::path& path, MapRange range = {});
 MapFormat format_of(const std::filesystem::path& path);
 
 // Saves atomically (see atomic_file.h). On any failure, such as a full disk or an unwritable folder, throws
-// std::invalid_argument that names the path; the old file stays whole.
+// std::invalid_argument that names the path; the old file stays whole. So it does where `advance` stops it.
 //
 // With the origin of the same format and size, its layout, compression (if lossless), metadata and other
 // channels are kept; channels that repeated channel 0 (grey stored as RGB) go on doing so. With one of
@@ -58,6 +59,6 @@ MapFormat format_of(const std::filesystem::path& path);
 // with, a texel that still has the count that it was loaded with is saved with the value that it was loaded
 // with, bit for bit; any other as low + (high - low) * count / 65535.
 void save_map(const HeightMap& map, const std::filesystem::path& path, MapFormat format, MapRange range = {},
-              const MapOrigin* origin = nullptr);
+              const MapOrigin* origin = nullptr, const Advance& advance = {});
 
 }  // namespace relievo

@@ -133,14 +133,14 @@ MapFormat format_of(const fs::path& path) {
 }
 
 void save_map(const HeightMap& map, const fs::path& path, MapFormat format, MapRange range,
-              const MapOrigin* origin) {
+              const MapOrigin* origin, const Advance& advance) {
     if (!(range.low < range.high)) fail(path, "the range's low must be below its high");
     const bool same_layout = origin && origin->format == format && origin->spec.width == map.width() &&
                              origin->spec.height == map.height();
     const OIIO::ImageSpec spec = spec_for(map, format, origin, same_layout);
     std::vector<std::byte> pixels = pixels_for(map, format, range, origin, spec, same_layout);
     if (same_layout) repeat_first_channel(pixels, spec, origin->repeats);
-    const std::vector<unsigned char> file = encoded_image(path, "map", writer_name(format), spec, pixels);
+    const std::vector<unsigned char> file = encoded_image(path, "map", writer_name(format), spec, pixels, advance);
     pixels = {};
     write_file_atomically(path, std::as_bytes(std::span(file)));
 }

@@ -62,8 +62,9 @@ int run_bake(const BakeOptions& options) {
     const ProceduralSource source(settings, exemplar.map.width(), exemplar.map.height(),
                                   exemplar.map.texels().data());
     ProgressBar bar("baking");
-    const HeightMap map = bake(source, size, [&](int rows) {
-        bar.update(static_cast<std::size_t>(rows), static_cast<std::size_t>(size.height));
+    const HeightMap map = bake(source, size, [&](double part) {
+        bar.update(static_cast<std::size_t>(part * size.height), static_cast<std::size_t>(size.height));
+        return true;
     });
     bar.clear();
     save_map(map, options.out, format);

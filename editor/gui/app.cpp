@@ -34,7 +34,7 @@ constexpr double kTurnMs = 34, kInputMs = 14, kLateInputMs = 26, kLateUs = 50e3,
 constexpr double kRestSeconds = 0.5, kAirbrushSeconds = 0.02;
 constexpr double kUnhurriedMs = 100;  // between frames that show nothing new but numbers
 constexpr double kMemoryMs = 20e3;   // between two times that free memory goes back
-constexpr std::size_t kLargeMap = std::size_t{2048} * 2048;  // texels: half a second to save, and 16 times that at 8192
+constexpr double kUnseenWorkMs = 500, kWorkFrameMs = 50;  // until long work is shown, and between frames of that
 constexpr int kClosingFrames = 2;
 constexpr int kSettleFrames = 3;
 
@@ -78,7 +78,7 @@ Departure App::run() {
     while (!desk_.departure) {
         wait_for_input();
         timed(times_.input_ms, [&] { handle_input(); });
-        save_if_due();
+        do_work();
         if (window_->close_wanted() && !pointer_.stroke_ends()) {
             window_->refuse_close();
             pointer_.cancel();
@@ -92,7 +92,7 @@ Departure App::run() {
         timed(times_.cursor_ms, [&] { follow_pointer(); });
         // While the picture only refines, the device's time is the tracer's.
         if (frames_due_ > 0 || live_.take_changed() || ms_since(last_drawn_) > kUnhurriedMs) draw();
-        save_if_due();
+        do_work();
         update_title();
         if (const std::string trouble = reference_.take_trouble(); !trouble.empty())
             toasts_.error("The reference: " + trouble);
@@ -209,7 +209,7 @@ void App::handle_input() {
             handle_key(event);
             // The dialog that Esc closes is there until the next frame; what follows is meant for what lies behind it.
             if (event.code == GLFW_KEY_ESCAPE && !picture_free()) break;
-            if (desk_.view.save_due) break;  // what follows is not in it
+            if (desk_.work) break;  // what follows is not in it
             continue;
         }
         const std::uint64_t dabs = pointer_.dabs();
@@ -266,6 +266,7 @@ void App::draw_interface() {
     }
     desk_.why.draw(desk_.session, reference_, layout_.picture);
     dialogs_.draw(desk_);
+    draw_long_work(desk_.view.work);
     close_list_on_escape();
     const float margin = 14;
     toasts_.draw(static_cast<float>(layout_.picture.x) + margin,
@@ -300,17 +301,43 @@ void App::update_title() {
                        session.scene().path.filename().string() + " - Relievo");
 }
 
-// The window stands still meanwhile: where that is to be felt, it says so first.
-void App::save_if_due() {
-    if (!std::exchange(desk_.view.save_due, false)) return;
-    const auto path = desk_.session.map_path();
-    if (!path) return;
-    if (desk_.session.map().texels().size() >= kLargeMap) {
-        toasts_.info("Saving " + path->filename().string() + "...");
-        draw();
+void App::do_work() {
+    const auto work = std::exchange(desk_.work, std::nullopt);
+    if (!work) return;
+    const auto start = Clock::now();
+    std::string trouble;
+    try {
+        work->run([&](double part) {
+            if (ms_since(start) < kUnseenWorkMs || ms_since(last_drawn_) < kWorkFrameMs) return true;
+            if (!desk_.view.work) desk_.view.work = WorkShown{work->title};
+            desk_.view.work->part = part;
+            poll_behind_work();
+            draw();
+            return !desk_.view.work->stopped;
+        });
+    } catch (const std::exception& error) {
+        trouble = error.what();
     }
-    desk_.save_to(*path);
+    desk_.view.work.reset();
     frames_due_ = kSettleFrames;
+    if (trouble.empty()) {
+        if (work->done) work->done();
+    } else if (work->failed) {
+        work->failed(trouble);
+    } else {
+        toasts_.error(trouble);
+    }
+}
+
+// What was done before the work could be seen is still to come; of what comes while it covers the rest, only that
+// something was let go.
+void App::poll_behind_work() {
+    auto& events = window_->events();
+    const auto before = static_cast<std::ptrdiff_t>(events.size());
+    window_->poll();
+    events.erase(std::remove_if(events.begin() + before, events.end(),
+                                [](const InputEvent& event) { return event.kind != InputEvent::Kind::release; }),
+                 events.end());
 }
 
 void App::save_screenshot() {

@@ -42,7 +42,8 @@ class App {
     void draw_interface();
     void update_title();
     void save_screenshot();
-    void save_if_due();
+    void do_work();
+    void poll_behind_work();
 
     Window* window_;
     Screen* screen_;

@@ -34,7 +34,7 @@ bool Desk::attempt(const std::function<void()>& command) {
         command();
         return true;
     } catch (const std::exception& error) {
-        toasts.error(trouble = error.what());
+        toasts.error(error.what());
         return false;
     }
 }
@@ -76,25 +76,47 @@ void Desk::redo() {
 
 void Desk::save() {
     if (session.map_path())
-        attempt([&] { view.save_due = true; });
+        save_to(*session.map_path());
     else
         view.wanted = Dialog::save_as;
 }
 
-bool Desk::save_to(const std::filesystem::path& path) {
-    const std::filesystem::path colours = session.colour_path_for(path);
-    const bool saved = attempt([&] { session.save(path, colours); });
-    if (!saved) return false;
+void Desk::save_to(const std::filesystem::path& path, const std::function<void()>& done,
+                   const std::function<void(const std::string&)>& failed) {
+    attempt([&] {
+        const std::filesystem::path colours = session.colour_path_for(path);
+        work = LongWork{"Saving " + path.filename().string(),
+                        [this, path, colours](const Advance& advance) { session.save(path, colours, advance); },
+                        [this, path, colours, done] {
+                            tell_saved(path, colours);
+                            if (done) done();
+                        },
+                        failed};
+    });
+}
+
+void Desk::tell_saved(const std::filesystem::path& path, const std::filesystem::path& colours) {
     toasts.info("Saved " + path.string() + (colours.empty() ? "" : " and " + colours.filename().string()));
     const Scene& scene = session.scene();
-    if (colours.empty() || colours == scene.objects.front().material.albedo_map) return true;
+    if (colours.empty() || colours == scene.objects.front().material.albedo_map) return;
     attempt([&] {
         const auto both = scene_with_maps(scene.path, path, colours);
         change_preferences([&](Preferences& p) { add_recent(p, both); });
         toasts.info("The scene does not name these colours: open " + both.filename().string() +
                     " from Recent");
     });
-    return true;
+}
+
+void Desk::bake(const ImageSize& size) {
+    const std::string texels = std::to_string(size.width) + " x " + std::to_string(size.height);
+    attempt([&] {
+        work = LongWork{"Baking " + texels + " texels",
+                        [this, size](const Advance& advance) { session.bake(size, advance); },
+                        [this, texels] {
+                            live.in_motion();
+                            toasts.info("Baked into a map of " + texels + " texels: save it to keep it");
+                        }};
+    });
 }
 
 void Desk::open_file(const std::filesystem::path& path) {
@@ -313,7 +335,11 @@ void Desk::prepare_to_paint(const Brush& brush) {
 }
 
 void Desk::export_colours(const std::filesystem::path& path) {
-    if (attempt([&] { session.export_colours(path); })) toasts.info("Saved " + path.string());
+    attempt([&] {
+        work = LongWork{"Saving " + path.filename().string(),
+                        [this, path](const Advance& advance) { session.export_colours(path, advance); },
+                        [this, path] { toasts.info("Saved " + path.string()); }};
+    });
 }
 
 void Desk::set_view(View wanted) {

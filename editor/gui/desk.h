@@ -12,6 +12,7 @@
 #include "editor/gui/alpha_shelf.h"
 #include "editor/gui/brush_cursor.h"
 #include "editor/gui/live_picture.h"
+#include "editor/gui/long_work.h"
 #include "editor/gui/prism_overlay.h"
 #include "editor/gui/ray_panel.h"
 #include "editor/gui/toasts.h"
@@ -63,12 +64,12 @@ struct ViewState {
     Dialog wanted = Dialog::none;
     BrushDrag brush_drag = BrushDrag::none;
     bool screenshot_wanted = false;
-    bool save_due = false;     // to where the map came from, between two frames
     double full_fov_deg = 40;  // what flatten_view() goes back to
     MethodChoice second{};     // of the right part while the picture is split, and the next time
     bool hint = false;         // for a first stroke
     std::vector<PaintColour> recent_colours{};  // the newest first
     int colour_bits = 8;                        // of a colour map that the first stroke makes
+    std::optional<WorkShown> work{};  // under way for long enough to be shown
     bool asking = false;       // a click asks what happened to the pixel's ray, and does not sculpt
 };
 
@@ -89,7 +90,7 @@ class Desk {
     std::vector<AbandonedJournal> abandoned;  // offered for recovery
     std::optional<Departure> pending;         // waits for the answer about unsaved work
     std::optional<Departure> departure;       // decided
-    std::string trouble;                      // what the last attempt() threw
+    std::optional<LongWork> work;             // between two frames
 
     void set(const std::string& key, const SetValue& value);  // settings.h
     void set_exemplar(const std::filesystem::path& path);     // of procedural heights
@@ -97,7 +98,10 @@ class Desk {
     void undo();
     void redo();
     void save();  // asks for a path where there is none yet
-    bool save_to(const std::filesystem::path& path);
+    // Between two frames; then `done` or, in the place of a message, `failed`.
+    void save_to(const std::filesystem::path& path, const std::function<void()>& done = {},
+                 const std::function<void(const std::string& trouble)>& failed = {});
+    void bake(const ImageSize& size);
     void open_file(const std::filesystem::path& path);  // a scene, a mesh, or a map for the edited object
     // What was dropped together: a scene (the rest is taken for its parts), or a mesh and its map; else one file alone.
     void open_files(const std::vector<std::filesystem::path>& paths);
@@ -139,6 +143,9 @@ class Desk {
 
     // Runs a command; what it throws is shown. False when it threw, or when a stroke is under way.
     bool attempt(const std::function<void()>& command);
+
+  private:
+    void tell_saved(const std::filesystem::path& path, const std::filesystem::path& colours);
 };
 
 }  // namespace relievo::gui

@@ -127,7 +127,6 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
         case Dialog::keys:
             return ImGui::OpenPopup(kKeysTitle);
         case Dialog::unsaved:
-            unsaved_trouble_.clear();
             return ImGui::OpenPopup(kUnsavedTitle);
         case Dialog::recovery:
             return ImGui::OpenPopup(kRecoveryTitle);
@@ -192,16 +191,22 @@ void Dialogs::draw_unsaved(Desk& desk) {
         desk.view.wanted = Dialog::save_as;  // goes on from there
         ImGui::CloseCurrentPopup();
     } else if (save) {
-        if (desk.save_to(*path))
-            depart(desk);
-        else
-            unsaved_trouble_ = desk.trouble;
+        unsaved_trouble_.clear();
+        ImGui::CloseCurrentPopup();
+        desk.save_to(
+            *path,
+            [&desk] { desk.departure = std::exchange(desk.pending, std::nullopt); },
+            [this, &desk](const std::string& trouble) {
+                desk.view.wanted = Dialog::unsaved;
+                unsaved_trouble_ = trouble;
+            });
     }
     beside_dialog_button();
     if (dialog_button("Don't save")) depart(desk);
     beside_dialog_button();
     if (dialog_button("Cancel") || escape_pressed()) {
         desk.pending.reset();
+        unsaved_trouble_.clear();
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -217,7 +222,7 @@ void Dialogs::draw_files(Desk& desk) {
     if (path && file_purpose_ == Dialog::alpha) desk.set_alpha(*path);
     if (file_purpose_ != Dialog::save_as || !was_open || files_.is_open()) return;
     const auto waiting = std::exchange(after_saving_, std::nullopt);
-    if (path && desk.save_to(*path)) desk.departure = waiting;
+    if (path) desk.save_to(*path, [&desk, waiting] { desk.departure = waiting; });
 }
 
 void Dialogs::draw(Desk& desk) {

@@ -173,13 +173,15 @@ void MapDialogs::draw_export(Desk& desk) {
         if (!sound) {
             trouble_ = "the range must have two different, finite ends";
         } else if (may_write()) {
-            try {
-                desk.session.export_map(name_, format_, range_);
-                desk.toasts.info("Exported " + name_);
-                ImGui::CloseCurrentPopup();
-            } catch (const std::exception& error) {
-                trouble_ = error.what();
-            }
+            ImGui::CloseCurrentPopup();
+            desk.work = LongWork{
+                "Exporting " + std::filesystem::path(name_).filename().string(),
+                [this, &desk](const Advance& advance) { desk.session.export_map(name_, format_, range_, advance); },
+                [this, &desk] { desk.toasts.info("Exported " + name_); },
+                [this](const std::string& trouble) {
+                    trouble_ = trouble;
+                    opening_export_ = true;
+                }};
         }
     }
     beside_dialog_button();

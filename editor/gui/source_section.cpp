@@ -55,10 +55,7 @@ void bake_row(Desk& desk, const Procedural& source) {
     if (push_button("Bake and sculpt", true,
                     "Makes a map of " + texels + " texels of these heights, which brushes can work on. The sliders go; undo "
                     "does not bring them back."))
-        if (desk.attempt([&] { desk.session.bake(size); })) {
-            desk.live.in_motion();
-            desk.toasts.info("Baked into a map of " + texels + " texels: save it to keep it");
-        }
+        desk.bake(size);
 }
 
 }  // namespace

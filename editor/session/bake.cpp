@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <stdexcept>
 
 #include "brushes/shared_work.h"
@@ -26,20 +25,20 @@ ImageSize bake_size(const Procedural& settings, int exemplar_width, int exemplar
     return {texels(exemplar_width), texels(exemplar_height)};
 }
 
-HeightMap bake(const ProceduralSource& source, const ImageSize& size, const std::function<void(int)>& progress) {
+HeightMap bake(const ProceduralSource& source, const ImageSize& size, const Advance& advance) {
+    constexpr int kRows = 64;  // between two looks at `advance`
     HeightMap map(size.width, size.height);
-    std::mutex mutex;
-    int finished = 0;
-    share_work(static_cast<std::size_t>(size.height), [&](std::size_t row) {
-        const int y = static_cast<int>(row);
+    const auto fill = [&](int y) {
         for (int x = 0; x < size.width; ++x) {
             const glm::dvec2 uv((x + 0.5) / size.width, (y + 0.5) / size.height);
             map.set(x, y, static_cast<std::uint16_t>(std::lround(65535 * source.value(source.texel_at(uv)))));
         }
-        const std::lock_guard lock(mutex);
-        ++finished;
-        if (progress) progress(finished);
-    });
+    };
+    for (int low = 0; low < size.height; low += kRows) {
+        if (advance && !advance(static_cast<double>(low) / size.height)) throw Stopped("the bake was stopped");
+        const int rows = std::min(kRows, size.height - low);
+        share_work(static_cast<std::size_t>(rows), [&](std::size_t row) { fill(low + static_cast<int>(row)); });
+    }
     return map;
 }
 

@@ -1,9 +1,9 @@
 // Baking procedural heights into a map, so that they can be sculpted.
 #pragma once
 
-#include <functional>
 #include <optional>
 
+#include "brushes/advance.h"
 #include "brushes/height_map.h"
 #include "editor/session/journal.h"
 #include "renderer/procedural/procedural_source.h"
@@ -18,9 +18,9 @@ void check_bakeable(const SceneObject& object);
 // texels the map then holds the very surface, rounded to counts.
 ImageSize bake_size(const Procedural& settings, int exemplar_width, int exemplar_height);
 
-// Heights at the texels' centres, rounded to counts. `progress` hears of finished rows, from any thread, one at a time.
-// Throws std::invalid_argument on a size beyond [1, HeightMap::kMaxSize].
-HeightMap bake(const ProceduralSource& source, const ImageSize& size, const std::function<void(int)>& progress = {});
+// Heights at the texels' centres, rounded to counts. Throws
+// std::invalid_argument on a size beyond [1, HeightMap::kMaxSize].
+HeightMap bake(const ProceduralSource& source, const ImageSize& size, const Advance& advance = {});
 
 // The displacement of an object whose heights were baked: the map's edge texels go on beyond it.
 Displacement baked_displacement(const Displacement& procedural, const std::filesystem::path& map);

@@ -178,12 +178,12 @@ void Session::set_camera(const Camera& camera) {
     set("camera", camera_value(camera));
 }
 
-void Session::bake(const ImageSize& size) {
+void Session::bake(const ImageSize& size, const Advance& advance) {
     State& s = *state_;
     s.require_no_stroke();
     if (!s.source) throw std::invalid_argument("the heights are a map already; there is nothing to bake");
     check_bakeable(s.scene.objects.front());
-    HeightMap map = relievo::bake(*s.source, size);
+    HeightMap map = relievo::bake(*s.source, size, advance);
     s.take_heights(baked_displacement(s.displacement(), {}),
                    LoadedMap{std::move(map), {}, MapFormat::tiff16, nullptr});
     s.add_step(true, false);

@@ -136,12 +136,12 @@ class Session {
     void set_camera(const Camera& camera);
     // Procedural heights become a map of that many texels, to be sculpted; there is no way back but to open the scene
     // again. Undo steps end here. std::invalid_argument when the heights are a map, or cannot be baked (bake.h).
-    void bake(const ImageSize& size);
+    void bake(const ImageSize& size, const Advance& advance = {});
     // Writes the map. The extension names the format; metadata and exact values of the file that was loaded
     // are kept where the format is the same. std::invalid_argument when it cannot be written (the old file
     // stays whole), and while the heights are procedural. `colour_path`: where the colour map is written, too,
-    // first; empty: not at all, and it stays unsaved.
-    void save(const std::filesystem::path& path, const std::filesystem::path& colour_path);
+    // first; empty: not at all, and it stays unsaved. `advance` may stop this and the two exports below.
+    void save(const std::filesystem::path& path, const std::filesystem::path& colour_path, const Advance& advance = {});
     void save(const std::filesystem::path& path) { save(path, colour_path_for(path)); }
     // Where save() writes the colour map when it writes the map to `map`: its own file where the map goes to
     // its own, else a new NAME_colour.png (or the ending that it has) beside it. Empty where there is nothing
@@ -149,9 +149,10 @@ class Session {
     std::filesystem::path colour_path_for(const std::filesystem::path& map) const;
     // Writes the map as another file, with the values of `range` where the format holds floats; what save()
     // would write, and whether that is due, stays. std::invalid_argument as save().
-    void export_map(const std::filesystem::path& path, MapFormat format, MapRange range) const;
+    void export_map(const std::filesystem::path& path, MapFormat format, MapRange range,
+                    const Advance& advance = {}) const;
     // The same of the colour map, with its bits: PNG or TIFF. std::invalid_argument where there is none.
-    void export_colours(const std::filesystem::path& path) const;
+    void export_colours(const std::filesystem::path& path, const Advance& advance = {}) const;
     // Undoes or redoes back to what was last saved or loaded. False when those steps were dropped for memory.
     bool revert();
 

@@ -41,7 +41,9 @@ class SessionColours {
     // A new file beside a displacement map of that name: NAME_colour.png, or with the ending that the file
     // has now; with a number where that exists.
     std::filesystem::path path_beside(const std::filesystem::path& height_map) const;
-    void save(const std::filesystem::path& path) const { save_colours(map(), path, loaded_->origin.get()); }
+    void save(const std::filesystem::path& path, const Advance& advance = {}) const {
+        save_colours(map(), path, loaded_->origin.get(), advance);
+    }
     void set_file(const std::filesystem::path& path) { file_ = path; }
 
   private:

@@ -5,22 +5,27 @@
 
 namespace relievo {
 
-void Session::save(const fs::path& path, const fs::path& colour_path) {
+void Session::save(const fs::path& path, const fs::path& colour_path, const Advance& advance) {
     State& s = *state_;
     s.require_no_stroke();
     require_map("save");
     const MapFormat named = format_of(path);
     const bool both_exr = named == MapFormat::exr_float && s.file.format == MapFormat::exr_half;
     const MapFormat format = both_exr ? MapFormat::exr_half : named;
+    const double share = colour_path.empty() ? 0 : 0.5;  // of the colours
+    const auto part_of_work = [&](double begin, double length) -> Advance {
+        if (!advance) return {};
+        return [&advance, begin, length](double part) { return advance(begin + length * part); };
+    };
     s.replace_file(path, [&] {
         if (!colour_path.empty()) {
             if (!s.colours.there())
                 throw std::invalid_argument(colour_path.string() + ": there is no colour map to save");
             check_colour_path(colour_path);
-            s.replace_file(colour_path, [&] { s.colours.save(colour_path); });
+            s.replace_file(colour_path, [&] { s.colours.save(colour_path, part_of_work(0, share)); });
         }
         const MapOrigin* origin = format == s.file.format ? s.file.origin.get() : nullptr;
-        save_map(s.file.map, path, format, s.file.range, origin);
+        save_map(s.file.map, path, format, s.file.range, origin, part_of_work(share, 1 - share));
     });
     confirm_saved(path, colour_path);
 }
@@ -37,19 +42,19 @@ fs::path Session::colour_path_for(const fs::path& map) const {
     return s.colour_steps.unsaved() ? file : fs::path();
 }
 
-void Session::export_map(const fs::path& path, MapFormat format, MapRange range) const {
+void Session::export_map(const fs::path& path, MapFormat format, MapRange range, const Advance& advance) const {
     state_->require_no_stroke();
     require_map("export");
     if (format_of(path) != format && format != MapFormat::exr_half)
         throw std::invalid_argument(path.string() +
                                     ": the extension names another format than the one that was chosen");
-    state_->replace_file(path, [&] { save_map(state_->file.map, path, format, range); });
+    state_->replace_file(path, [&] { save_map(state_->file.map, path, format, range, nullptr, advance); });
 }
 
-void Session::export_colours(const fs::path& path) const {
+void Session::export_colours(const fs::path& path, const Advance& advance) const {
     state_->require_no_stroke();
     if (!state_->colours.there()) throw std::invalid_argument("there is no colour map to export");
-    state_->replace_file(path, [&] { state_->colours.save(path); });
+    state_->replace_file(path, [&] { state_->colours.save(path, advance); });
 }
 
 void Session::confirm_saved(const fs::path& path, const fs::path& colour_path) {

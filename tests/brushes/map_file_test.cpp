@@ -253,6 +253,32 @@ TEST(MapFile, lossy_and_tiled_files_are_saved_lossless) {
     }
 }
 
+TEST(MapFile, a_save_tells_how_far_it_is_and_can_be_stopped) {
+    const TestFolder folder;
+    HeightMap map(70, 300);
+    for (const std::string name : {"a.png", "a.tif", "a.exr"}) {
+        std::vector<double> parts;
+        save_map(map, folder / name, format_of(name), {}, nullptr, [&](double part) {
+            parts.push_back(part);
+            return true;
+        });
+        EXPECT_GT(parts.size(), 3u) << name;
+        EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end())) << name;
+        EXPECT_GE(parts.front(), 0.0) << name;
+        EXPECT_LT(parts.back(), 1.0) << name;
+
+        const std::string before = bytes_of(folder / name);
+        map.set(3, 4, 4711);
+        int asked = 0;
+        const Advance stop = [&](double) { return ++asked < 3; };
+        EXPECT_THROW(save_map(map, folder / name, format_of(name), {}, nullptr, stop), Stopped) << name;
+        EXPECT_EQ(asked, 3) << name;
+        EXPECT_EQ(bytes_of(folder / name), before) << name;
+        map.set(3, 4, 0);
+    }
+    EXPECT_EQ(folder.names().size(), 3u) << "nothing else is left";
+}
+
 TEST(MapFile, symbolic_links_and_permissions_stay) {
     const TestFolder folder;
     const HeightMap map(4, 4, 5);

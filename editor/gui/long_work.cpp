@@ -1,0 +1,25 @@
+// See long_work.h.
+#include "editor/gui/long_work.h"
+
+#include <imgui.h>
+
+#include "editor/gui/widgets.h"
+
+namespace relievo::gui {
+
+void draw_long_work(std::optional<WorkShown>& work) {
+    constexpr const char* kTitle = "Working";
+    if (work && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    if (!begin_modal(kTitle, 460)) return;
+    if (work) {
+        path_text(work->title);
+        ImGui::ProgressBar(static_cast<float>(work->part), ImVec2(-1, 0));
+        ImGui::Spacing();
+        if (dialog_button("Stop") || escape_pressed()) work->stopped = true;
+    } else {
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace relievo::gui

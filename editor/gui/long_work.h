@@ -1,0 +1,29 @@
+// Work that may take long, such as saving a large map: done between two frames, and seen and stopped after half a second.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "brushes/advance.h"
+
+namespace relievo::gui {
+
+struct LongWork {
+    std::string title;                                          // "Saving NAME"
+    std::function<void(const Advance&)> run;
+    std::function<void()> done{};
+    std::function<void(const std::string& trouble)> failed{};  // empty: a message tells
+};
+
+// What is shown of it.
+struct WorkShown {
+    std::string title;
+    double part = 0;       // [0, 1]
+    bool stopped = false;  // the user wants it to end
+};
+
+// Call it every frame, outside of any dialog.
+void draw_long_work(std::optional<WorkShown>& work);
+
+}  // namespace relievo::gui
