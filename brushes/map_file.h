@@ -43,8 +43,8 @@ MapInfo map_info(const std::filesystem::path& path);
 // Loads channel 0 of a PNG or TIFF of 8 or 16 bits or an EXR whose channel 0 is half or float. 8-bit values
 // are widened by 257 (and saved as 16 bits). Throws std::invalid_argument that names the file and says what
 // was wrong: missing, cut off, another format, no texels, more than 16384 a side, several images, NaN or
-// infinity (with the texel).
-LoadedMap load_map(const std::filesystem::path& path, MapRange range = {});
+// infinity (with the texel). Stopped where `advance` says so.
+LoadedMap load_map(const std::filesystem::path& path, MapRange range = {}, const Advance& advance = {});
 
 // The format that a path's extension names (.png, .tif, .tiff, .exr as float). std::invalid_argument
 // otherwise.

@@ -100,11 +100,17 @@ MapInfo map_info(const fs::path& path) {
     return info;
 }
 
-LoadedMap load_map(const fs::path& path, MapRange range) {
+LoadedMap load_map(const fs::path& path, MapRange range, const Advance& advance) {
+    constexpr double kChecked = 0.4, kDecoded = 0.9;  // parts of the time, about
+    const auto reached = [&](double part) {
+        if (advance && !advance(part)) throw Stopped("reading '" + path.string() + "' was stopped");
+    };
     if (!(range.low < range.high) || !std::isfinite(range.high - range.low))
         fail(path, "the range's low must be below its high, both finite");
     check_file(map_name(path));
+    reached(0);
     const PngCheck check = check_content(map_name(path));
+    reached(kChecked);
     const auto image = open_image(map_name(path));
     auto origin = std::make_shared<MapOrigin>();
     origin->format = format_in(path, *image);
@@ -123,6 +129,7 @@ LoadedMap load_map(const fs::path& path, MapRange range) {
     read_pixels(map_name(path), *image,
                 is_float(origin->format) ? OIIO::TypeDesc(OIIO::TypeDesc::UNKNOWN) : origin->spec.format,
                 origin->pixels.data());
+    reached(kDecoded);
     HeightMap map = counts_of(path, *origin, pixel_bytes);
     origin->repeats = find_repeats(*origin, pixel_bytes);
     if (!is_float(origin->format) && origin->spec.nchannels == 1) {

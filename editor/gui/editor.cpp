@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <atomic>
+#include <chrono>
+#include <future>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -10,7 +13,7 @@
 
 #include "editor/gui/app.h"
 #include "editor/gui/file_dialog.h"
-#include "editor/gui/restore_progress.h"
+#include "editor/gui/wait_screen.h"
 #include "editor/session/memory_estimate.h"
 #include "editor/session/preferences.h"
 #include "editor/session/recovery.h"
@@ -41,16 +44,42 @@ std::optional<std::filesystem::path> ask_for_scene(gui::Window& window, const Se
     return chosen;
 }
 
-std::unique_ptr<Session> open_session(const Departure& to, SessionOptions options, gui::Window& window) {
-    if (to.kind != Departure::Kind::restore) return std::make_unique<Session>(to.scene, options);
+// On a thread of its own, so that the window is drawn meanwhile: by `context`, or by one of its own where that is empty.
+std::unique_ptr<Session> open_beside_window(const std::filesystem::path& scene, SessionOptions options, gui::Window& window,
+                                            vulkan::Context* context) {
+    constexpr auto kBetweenLooks = std::chrono::milliseconds(20);
+    gui::WaitScreen shown(window, context, {options.device, options.validation, true}, {"Opening", "Esc stops."});
+    std::atomic<double> part = 0;
+    std::atomic<bool> stopped = false;
+    options.opening = [&](double now) {
+        part = now;
+        return !stopped;
+    };
+    auto made = std::async(std::launch::async, [&] { return std::make_unique<Session>(scene, options); });
+    while (made.wait_for(kBetweenLooks) != std::future_status::ready)
+        if (!shown.show(part)) stopped = true;
+    auto session = made.get();
+    if (stopped) throw Stopped("Opening was stopped");
+    return session;
+}
+
+std::unique_ptr<Session> open_session(const Departure& to, SessionOptions options, gui::Window& window,
+                                      Session* before) {
+    vulkan::Context* const context = before ? &before->context() : nullptr;
+    if (to.kind != Departure::Kind::restore) return open_beside_window(to.scene, options, window, context);
     const AbandonedJournal& abandoned = *to.abandoned;
     options.map = abandoned.base_map;
     options.colour_map = abandoned.base_colours;
-    auto session = std::make_unique<Session>(abandoned.scene, options);
+    auto session = open_beside_window(abandoned.scene, options, window, context);
     try {
-        gui::RestoreProgress shown(session->context(), window);
+        gui::WaitScreen shown(window, &session->context(), {},
+                              {"Restoring", "Esc stops; the next start offers them again."});
         ReplayOptions how;
-        how.progress = [&](std::size_t done, std::size_t total) { shown.show(done, total); };
+        how.progress = [&](std::size_t done, std::size_t total) {
+            const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
+            if (!shown.show(part, std::to_string(done) + " of " + std::to_string(total) + " edits"))
+                throw Stopped("Restoring was stopped; the next start offers the edits again");
+        };
         replay(read_journal(abandoned.journal), *session, how);
     } catch (...) {
         session->discard_recovery();  // half of the old journal, which stays
@@ -87,7 +116,7 @@ std::string change_scene(std::unique_ptr<Session>& session, const Departure& to,
         session.reset();
     };
     try {
-        auto next = open_session(to, options, window);
+        auto next = open_session(to, options, window, session.get());
         let_go();
         session = std::move(next);
         remember(session->scene().path, message);
@@ -98,7 +127,7 @@ std::string change_scene(std::unique_ptr<Session>& session, const Departure& to,
         try {
             message = change_scene(session, to, options, window);
         } catch (const std::exception& trouble) {
-            session = open_session(back, options, window);
+            session = open_session(back, options, window, nullptr);
             message = trouble.what();
         }
     } catch (const std::exception& trouble) {
@@ -154,7 +183,11 @@ int run_editor(const EditorOptions& options) {
         std::optional<std::filesystem::path> scene = options.scene;
         if (scene->empty()) scene = sample_scene();
         if (scene->empty()) scene = ask_for_scene(window, session);
-        if (scene) run_scenes(window, log, options.most_fps, {Departure::Kind::open, *scene, {}}, session);
+        try {
+            if (scene) run_scenes(window, log, options.most_fps, {Departure::Kind::open, *scene, {}}, session);
+        } catch (const Stopped&) {
+            // By the user, while there was nothing yet to go back to.
+        }
         if (!sized) keep_size(window.size());
     }
     if (const int messages = vulkan::Context::validation_messages(); messages > 0)

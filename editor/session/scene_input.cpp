@@ -28,7 +28,7 @@ Scene open_scene(const std::filesystem::path& path, const std::string& method,
 }
 
 LoadedMap open_map(const Displacement& displacement, const std::filesystem::path& path,
-                   const MethodChoice* renderer) {
+                   const MethodChoice* renderer, const Advance& advance) {
     const std::filesystem::path& file =
         path.empty() && displacement.procedural ? displacement.procedural->exemplar : path;
     const MapRange range{displacement.range_low, displacement.range_high};
@@ -37,7 +37,7 @@ LoadedMap open_map(const Displacement& displacement, const std::filesystem::path
     const MapBounds bounds = renderer != nullptr ? find_method(renderer->name).map_bounds : MapBounds::none;
     require_memory(file.empty() ? "new map" : file, info, estimate_memory(info, renderer != nullptr, bounds),
                    available_memory());
-    if (!file.empty()) return load_map(file, range);
+    if (!file.empty()) return load_map(file, range, advance);
     const auto flat = static_cast<std::uint16_t>(std::lround(displacement.midlevel * 65535));
     return {HeightMap(displacement.map_size, displacement.map_size, flat), range, MapFormat::tiff16, nullptr};
 }

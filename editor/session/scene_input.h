@@ -20,6 +20,6 @@ Scene open_scene(const std::filesystem::path& path, const std::string& method = 
 // displaces nothing. `renderer`: one will hold it, too, by that method. Throws as load_map, and MemoryShortage before
 // anything is loaded when memory would not do (memory_estimate.h).
 LoadedMap open_map(const Displacement& displacement, const std::filesystem::path& path,
-                   const MethodChoice* renderer = nullptr);
+                   const MethodChoice* renderer = nullptr, const Advance& advance = {});
 
 }  // namespace relievo

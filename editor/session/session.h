@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "brushes/advance.h"
 #include "brushes/alpha.h"
 #include "brushes/brush.h"
 #include "brushes/colour_map.h"
@@ -39,6 +40,7 @@ struct SessionOptions {
     std::map<std::string, double> parameters;  // of the method, over the scene's
     int width = 0, height = 0;                 // pixels; 0: the scene's
     TracePath path = TracePath::automatic;
+    Advance opening{};  // asked by the constructor, on its thread
 };
 
 struct StageTimes {  // milliseconds of the last dab or frame

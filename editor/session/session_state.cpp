@@ -7,6 +7,8 @@
 namespace relievo {
 namespace {
 
+constexpr double kMeshRead = 0.1, kMapRead = 0.6, kSurfaceMade = 0.7;  // parts of the time that opening takes, about
+
 // Empty where the heights are a map. Throws where the mesh reaches too far over the exemplar.
 std::shared_ptr<const ProceduralSource> source_of(const Mesh& mesh, const Displacement& displacement,
                                                   const HeightMap& exemplar) {
@@ -23,7 +25,11 @@ Session::State::State(const fs::path& scene_file, const SessionOptions& given)
     : options(given),
       scene(open_scene(scene_file, options.method, options.parameters)),
       start_map(options.map.empty() ? displacement().map : options.map),
-      file(open_map(displacement(), start_map, traced_by())),
+      file(open_map(displacement(), start_map, traced_by(),
+                    [this](double part) {
+                        opened(kMeshRead + (kMapRead - kMeshRead) * part);
+                        return true;
+                    })),
       source(source_of(scene.objects.front().mesh, displacement(), file.map)),
       colours(options.colour_map.empty() ? albedo_map() : options.colour_map, albedo_map(),
               options.with_renderer) {
@@ -31,6 +37,7 @@ Session::State::State(const fs::path& scene_file, const SessionOptions& given)
         throw std::invalid_argument(
             options.map.string() +
             ": the scene's heights are procedural; there is no map to put this in place of");
+    opened(kMapRead);
     make_surface();
     brush.radius = scene.objects.front().mesh.sphere_radius * 0.1f;
     if (!displacement().map.empty()) map_path = displacement().map;
@@ -46,7 +53,9 @@ Session::State::State(const fs::path& scene_file, const SessionOptions& given)
     if (recording) header.map_hash = file.map.hash();  // 512 MiB of texels take a while
     if (colours.there()) header.colour_map = fs::absolute(colours.start_file());
     if (recording && colours.there()) header.colour_hash = colours.map().hash();
+    opened(kSurfaceMade);
     if (options.with_renderer) open_view();
+    options.opening = nullptr;  // it is the opener's
     recorder = std::make_unique<Recorder>(header, options.journal, options.recovery);
     recorder->set_start_files({start_map, options.map.empty()},
                               {colours.start_file(), options.colour_map.empty()});

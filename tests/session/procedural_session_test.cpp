@@ -47,6 +47,8 @@ TEST(ProceduralSession, StrokesAreRefusedUntilABake) {
               "the heights are procedural: bake them into a map first, then export that");
     EXPECT_FALSE(fs::exists(out));
     EXPECT_FALSE(session.unsaved());
+    EXPECT_THROW(session.bake({96, 80}, [](double part) { return part == 0; }), Stopped);
+    EXPECT_NE(session.procedural(0), nullptr);
     session.bake({96, 80});
     EXPECT_EQ(session.procedural(0), nullptr);
     EXPECT_EQ(session.map().width(), 96);

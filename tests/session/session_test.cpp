@@ -311,6 +311,42 @@ TEST(Session, SettingsReachTheScene) {
     EXPECT_EQ(session.scene().environment.up, glm::dvec3(0, -2, 1));
 }
 
+TEST(Session, OpeningTellsHowFarItIsAndCanBeStopped) {
+    const TemporaryFolder folder;
+    const auto scene = write_scene(folder.path());
+    std::vector<double> parts;
+    SessionOptions options = headless();
+    options.opening = [&](double part) {
+        parts.push_back(part);
+        return true;
+    };
+    { const Session session(scene, options); }
+    ASSERT_GT(parts.size(), 3u);
+    EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+    EXPECT_GE(parts.front(), 0.0);
+    EXPECT_LT(parts.back(), 1.0);
+    for (std::size_t last = 1; last <= parts.size(); ++last) {
+        std::size_t asked = 0;
+        options.opening = [&](double) { return ++asked < last; };
+        EXPECT_THROW(Session(scene, options), Stopped) << last;
+    }
+}
+
+TEST(Session, AStoppedSaveStaysUnsaved) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path()), headless());
+    sculpt(session, 1);
+    const auto hash = load_map(*session.map_path()).map.hash();
+    const Advance stop = [](double) { return false; };
+    EXPECT_THROW(session.save(*session.map_path(), {}, stop), Stopped);
+    EXPECT_THROW(session.export_map(folder.path() / "new.tif", MapFormat::tiff16, {}, stop), Stopped);
+    EXPECT_TRUE(session.unsaved());
+    EXPECT_EQ(load_map(*session.map_path()).map.hash(), hash);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "new.tif"));
+    session.save(*session.map_path());
+    EXPECT_FALSE(session.unsaved());
+}
+
 TEST(Session, BrushesOutOfRangeAreRefused) {
     const TemporaryFolder folder;
     Session session(write_scene(folder.path()), headless());

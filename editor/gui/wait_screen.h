@@ -1,0 +1,38 @@
+// What the window shows while a scene is opened or a long journal is replayed: how far that is, and that it can be stopped.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "editor/gui/screen.h"
+#include "editor/gui/window.h"
+#include "renderer/vulkan/context.h"
+
+namespace relievo::gui {
+
+class WaitScreen {
+  public:
+    struct Words {
+        std::string title, hint;  // the hint: what Esc does
+    };
+    // No other Screen may be there meanwhile. `context` empty: one of its own, made when there is something to show.
+    WaitScreen(Window& window, vulkan::Context* context, const vulkan::ContextOptions& options, Words words)
+        : window_(&window), context_(context), options_(options), words_(std::move(words)) {}
+
+    // Call it often, with the part that is done, [0, 1]. False when the user presses Esc or closes the window.
+    bool show(double part, const std::string& text = {});
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    Window* window_;
+    vulkan::Context* context_;
+    vulkan::ContextOptions options_;
+    Words words_;
+    Clock::time_point next_ = Clock::now() + std::chrono::milliseconds(500);  // what is short shows nothing
+    std::optional<vulkan::Context> own_;
+    std::optional<Screen> screen_;
+};
+
+}  // namespace relievo::gui
