@@ -173,12 +173,18 @@ void Desk::revert() {
     attempt([&] {
         if (!session.unsaved()) {
             toasts.info("Nothing to revert: the map is as it was saved");
-        } else if (session.revert()) {
-            live.restart();
-        } else {
-            toasts.error(
-                "The steps back to the saved map are gone from the undo memory; open the file again");
+            return;
         }
+        const auto back = [this](const Advance& advance) {
+            if (!session.revert(advance))
+                throw std::runtime_error(
+                    "The steps back to the saved map are gone from the undo memory; open the file again");
+        };
+        work = LongWork{"Reverting", back, [this] { live.restart(); },
+                        [this](const std::string& trouble) {
+                            live.restart();
+                            toasts.error(trouble);
+                        }};
     });
 }
 

@@ -156,7 +156,7 @@ class Session {
     // The same of the colour map, with its bits: PNG or TIFF. std::invalid_argument where there is none.
     void export_colours(const std::filesystem::path& path, const Advance& advance = {}) const;
     // Undoes or redoes back to what was last saved or loaded. False when those steps were dropped for memory.
-    bool revert();
+    bool revert(const Advance& advance = {});
 
     bool unsaved() const;  // the map or the colour map differs from what was last saved or loaded
     bool can_undo() const;

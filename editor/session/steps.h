@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,12 @@ class Steps {
     bool unsaved() const { return current() != saved_; }
     bool saved_is_ahead() const { return contains(undone_, saved_); }
     bool saved_is_behind() const { return saved_ == 0 || contains(done_, saved_); }
+    // How many undos, or redos, lead there.
+    std::size_t steps_to_saved() const {
+        const auto& way = saved_is_ahead() ? undone_ : done_;
+        const auto at = std::find(way.rbegin(), way.rend(), saved_);
+        return static_cast<std::size_t>(at - way.rbegin()) + (saved_is_ahead() ? 1 : 0);
+    }
 
   private:
     std::uint64_t current() const { return done_.empty() ? 0 : done_.back(); }

@@ -347,6 +347,29 @@ TEST(Session, AStoppedSaveStaysUnsaved) {
     EXPECT_FALSE(session.unsaved());
 }
 
+TEST(Session, AStoppedRevertLeavesAllAsItWas) {
+    const TemporaryFolder folder;
+    Session session(write_scene(folder.path()), headless());
+    const auto saved = texels(session);
+    for (unsigned seed = 1; seed <= 4; ++seed) sculpt(session, seed);
+    const auto before = texels(session);
+    std::vector<double> parts;
+    const auto first = [&](std::size_t count) -> Advance {
+        return [&parts, count](double part) {
+            parts.push_back(part);
+            return parts.size() <= count;
+        };
+    };
+    EXPECT_THROW(session.revert(first(2)), Stopped);
+    EXPECT_EQ(texels(session), before);
+    EXPECT_TRUE(session.unsaved());
+    parts.clear();
+    EXPECT_TRUE(session.revert(first(9)));
+    EXPECT_EQ(parts, (std::vector<double>{0, 0.25, 0.5, 0.75}));
+    EXPECT_EQ(texels(session), saved);
+    EXPECT_TRUE(session.can_redo());
+}
+
 TEST(Session, BrushesOutOfRangeAreRefused) {
     const TemporaryFolder folder;
     Session session(write_scene(folder.path()), headless());
