@@ -69,13 +69,13 @@ struct Session::State {
         view->upload_colours(colours.view(), painted, times);
     }
 
-    // `write` writes `file`. Where the session began with that, the recovery journal keeps it first.
-    void replace_file(const fs::path& file, const std::function<void()>& write) {
+    // `write` writes `path`. Where the session began with that, the recovery journal keeps it first.
+    void replace_file(const fs::path& path, const std::function<void()>& write) {
         for (const auto& [which, start] : start_files())
-            if (is_file(start, file)) recorder->keep_base(which, start);
+            if (is_file(start, path)) recorder->keep_base(which, start);
         write();
         for (const auto& [which, start] : start_files())
-            if (is_file(start, file)) recorder->base_replaced(which);
+            if (is_file(start, path)) recorder->base_replaced(which);
     }
     std::array<std::pair<BaseFile, fs::path>, 2> start_files() const {
         return {{{BaseFile::map, start_map}, {BaseFile::colours, colours.start_file()}}};
