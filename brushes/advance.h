@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 namespace relievo {
 
@@ -13,5 +14,16 @@ using Advance = std::function<bool(double part)>;
 struct Stopped : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+// Tells it, if there is anyone to tell. `stopped`: what Stopped says.
+inline void tell(const Advance& advance, double part, const std::string& stopped) {
+    if (advance && !advance(part)) throw Stopped(stopped);
+}
+
+// For a piece that makes up [begin, end] of the whole.
+inline Advance within(const Advance& advance, double begin, double end) {
+    if (!advance) return {};
+    return [advance, begin, end](double part) { return advance(begin + (end - begin) * part); };
+}
 
 }  // namespace relievo

@@ -36,8 +36,9 @@ LoadedColours load_colours(const std::filesystem::path& path);
 void check_colour_path(const std::filesystem::path& path);
 
 // Saves atomically (atomic_file.h) in the format that the extension names and with the map's bits. Throws
-// std::invalid_argument that names the path on any failure, Stopped where `advance` says so; the old file stays whole. With an origin of the
-// same size, its further channels (alpha) are kept; of another format, only its general metadata is.
+// std::invalid_argument that names the path on any failure, Stopped where `advance` says so; the old file
+// stays whole. With an origin of the same size, its further channels (alpha) are kept; of another format, only
+// its general metadata is.
 void save_colours(const ColourMap& map, const std::filesystem::path& path,
                   const ColourOrigin* origin = nullptr, const Advance& advance = {});
 

@@ -83,8 +83,7 @@ std::vector<unsigned char> encoded_image(const std::filesystem::path& path, cons
     if (!output->open(path.filename().string(), spec)) fail(output->geterror());
     const std::size_t row_bytes = static_cast<std::size_t>(spec.width) * spec.pixel_bytes(true);
     for (int begin = 0, rows = rows_at_a_time(spec); begin < spec.height; begin += rows) {
-        if (advance && !advance(static_cast<double>(begin) / spec.height))
-            throw Stopped("Stopped: '" + path.string() + "' stays as it was");
+        tell(advance, static_cast<double>(begin) / spec.height, "Stopped: '" + path.string() + "' stays as it was");
         const std::byte* const part = pixels.data() + static_cast<std::size_t>(begin) * row_bytes;
         if (!write_rows(*output, spec, begin, std::min(begin + rows, spec.height), part)) fail(output->geterror());
     }

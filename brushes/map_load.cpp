@@ -102,9 +102,7 @@ MapInfo map_info(const fs::path& path) {
 
 LoadedMap load_map(const fs::path& path, MapRange range, const Advance& advance) {
     constexpr double kChecked = 0.4, kDecoded = 0.9;  // parts of the time, about
-    const auto reached = [&](double part) {
-        if (advance && !advance(part)) throw Stopped("Reading '" + path.string() + "' was stopped");
-    };
+    const auto reached = [&](double part) { tell(advance, part, "Reading '" + path.string() + "' was stopped"); };
     if (!(range.low < range.high) || !std::isfinite(range.high - range.low))
         fail(path, "the range's low must be below its high, both finite");
     check_file(map_name(path));

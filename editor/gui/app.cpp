@@ -34,7 +34,7 @@ constexpr double kTurnMs = 34, kInputMs = 14, kLateInputMs = 26, kLateUs = 50e3,
 constexpr double kRestSeconds = 0.5, kAirbrushSeconds = 0.02;
 constexpr double kUnhurriedMs = 100;  // between frames that show nothing new but numbers
 constexpr double kMemoryMs = 20e3;   // between two times that free memory goes back
-constexpr double kUnseenWorkMs = 500, kWorkFrameMs = 50;  // until long work is shown, and between frames of that
+constexpr double kWorkFrameMs = 50;  // between frames of long work
 constexpr int kClosingFrames = 2;
 constexpr int kSettleFrames = 3;
 

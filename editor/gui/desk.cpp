@@ -75,10 +75,11 @@ void Desk::redo() {
 }
 
 void Desk::save() {
-    if (session.map_path())
-        save_to(*session.map_path());
-    else
+    if (const auto path = session.map_path()) {
+        save_to(*path);
+    } else {
         view.wanted = Dialog::save_as;
+    }
 }
 
 void Desk::save_to(const std::filesystem::path& path, const std::function<void()>& done,

@@ -48,7 +48,7 @@ std::optional<std::filesystem::path> ask_for_scene(gui::Window& window, const Se
 std::unique_ptr<Session> open_beside_window(const std::filesystem::path& scene, SessionOptions options, gui::Window& window,
                                             vulkan::Context* context) {
     constexpr auto kBetweenLooks = std::chrono::milliseconds(20);
-    gui::WaitScreen shown(window, context, {options.device, options.validation, true}, {"Opening", "Esc stops."});
+    gui::WaitScreen shown(window, context, {options.device, options.validation, true}, "Opening " + scene.filename().string());
     std::atomic<double> part = 0;
     std::atomic<bool> stopped = false;
     options.opening = [&](double now) {
@@ -72,8 +72,7 @@ std::unique_ptr<Session> open_session(const Departure& to, SessionOptions option
     options.colour_map = abandoned.base_colours;
     auto session = open_beside_window(abandoned.scene, options, window, context);
     try {
-        gui::WaitScreen shown(window, &session->context(), {},
-                              {"Restoring", "Esc stops; the next start offers them again."});
+        gui::WaitScreen shown(window, &session->context(), {}, "Restoring; if stopped, the next start offers it again");
         ReplayOptions how;
         how.progress = [&](std::size_t done, std::size_t total) {
             const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;

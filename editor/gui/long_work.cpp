@@ -13,7 +13,7 @@ void draw_long_work(std::optional<WorkShown>& work) {
     if (!begin_modal(kTitle, 460)) return;
     if (work) {
         path_text(work->title);
-        ImGui::ProgressBar(static_cast<float>(work->part), ImVec2(-1, 0));
+        ImGui::ProgressBar(static_cast<float>(work->part), ImVec2(-1, 0), work->text.empty() ? nullptr : work->text.c_str());
         ImGui::Spacing();
         if (dialog_button("Stop") || escape_pressed()) work->stopped = true;
     } else {

@@ -16,10 +16,13 @@ struct LongWork {
     std::function<void(const std::string& trouble)> failed{};  // empty: a message tells
 };
 
+constexpr double kUnseenWorkMs = 500;  // what is shorter shows nothing
+
 // What is shown of it.
 struct WorkShown {
     std::string title;
     double part = 0;       // [0, 1]
+    std::string text{};    // on the bar; empty: the part
     bool stopped = false;  // the user wants it to end
 };
 

@@ -2,11 +2,7 @@
 #include "editor/gui/wait_screen.h"
 
 #include <GLFW/glfw3.h>
-#include <imgui.h>
-
 #include <deque>
-
-#include "editor/gui/widgets.h"
 
 namespace relievo::gui {
 
@@ -20,20 +16,14 @@ bool WaitScreen::show(double part, const std::string& text) {
     std::erase_if(window_->events(), [](const InputEvent& event) {
         return event.kind != InputEvent::Kind::key || event.code == GLFW_KEY_ESCAPE;
     });
-    bool stopped = window_->close_wanted();
+    shown_->part = part;
+    shown_->text = text;
     if (screen_->begin()) {
-        const char* const title = words_.title.c_str();
-        if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-        if (begin_modal(title, 460)) {
-            ImGui::ProgressBar(static_cast<float>(part), ImVec2(-1, 0), text.empty() ? nullptr : text.c_str());
-            ImGui::TextDisabled("%s", words_.hint.c_str());
-            stopped = stopped || escape_pressed();
-            ImGui::EndPopup();
-        }
+        draw_long_work(shown_);
         screen_->end({}, 0, 0);
     }
     next_ = Clock::now() + kBetweenFrames;
-    return !stopped;
+    return !shown_->stopped && !window_->close_wanted();
 }
 
 }  // namespace relievo::gui

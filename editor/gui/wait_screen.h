@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "editor/gui/long_work.h"
 #include "editor/gui/screen.h"
 #include "editor/gui/window.h"
 #include "renderer/vulkan/context.h"
@@ -13,14 +14,12 @@ namespace relievo::gui {
 
 class WaitScreen {
   public:
-    struct Words {
-        std::string title, hint;  // the hint: what Esc does
-    };
     // No other Screen may be there meanwhile. `context` empty: one of its own, made when there is something to show.
-    WaitScreen(Window& window, vulkan::Context* context, const vulkan::ContextOptions& options, Words words)
-        : window_(&window), context_(context), options_(options), words_(std::move(words)) {}
+    WaitScreen(Window& window, vulkan::Context* context, const vulkan::ContextOptions& options,
+               const std::string& title)
+        : window_(&window), context_(context), options_(options), shown_(WorkShown{title}) {}
 
-    // Call it often, with the part that is done, [0, 1]. False when the user presses Esc or closes the window.
+    // Call it often, with the part that is done, [0, 1]. False when the user stops it or closes the window.
     bool show(double part, const std::string& text = {});
 
   private:
@@ -29,8 +28,8 @@ class WaitScreen {
     Window* window_;
     vulkan::Context* context_;
     vulkan::ContextOptions options_;
-    Words words_;
-    Clock::time_point next_ = Clock::now() + std::chrono::milliseconds(500);  // what is short shows nothing
+    std::optional<WorkShown> shown_;
+    Clock::time_point next_ = Clock::now() + std::chrono::milliseconds(static_cast<int>(kUnseenWorkMs));
     std::optional<vulkan::Context> own_;
     std::optional<Screen> screen_;
 };

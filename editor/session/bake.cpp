@@ -35,7 +35,7 @@ HeightMap bake(const ProceduralSource& source, const ImageSize& size, const Adva
         }
     };
     for (int low = 0; low < size.height; low += kRows) {
-        if (advance && !advance(static_cast<double>(low) / size.height)) throw Stopped("The bake was stopped");
+        tell(advance, static_cast<double>(low) / size.height, "The bake was stopped");
         const int rows = std::min(kRows, size.height - low);
         share_work(static_cast<std::size_t>(rows), [&](std::size_t row) { fill(low + static_cast<int>(row)); });
     }

@@ -18,8 +18,8 @@ void check_bakeable(const SceneObject& object);
 // texels the map then holds the very surface, rounded to counts.
 ImageSize bake_size(const Procedural& settings, int exemplar_width, int exemplar_height);
 
-// Heights at the texels' centres, rounded to counts. Throws
-// std::invalid_argument on a size beyond [1, HeightMap::kMaxSize].
+// Heights at the texels' centres, rounded to counts. Throws std::invalid_argument on a size beyond
+// [1, HeightMap::kMaxSize], Stopped where `advance` says so.
 HeightMap bake(const ProceduralSource& source, const ImageSize& size, const Advance& advance = {});
 
 // The displacement of an object whose heights were baked: the map's edge texels go on beyond it.

@@ -14,19 +14,15 @@ void Session::save(const fs::path& path, const fs::path& colour_path, const Adva
     const bool both_exr = named == MapFormat::exr_float && s.file.format == MapFormat::exr_half;
     const MapFormat format = both_exr ? MapFormat::exr_half : named;
     const double share = colour_path.empty() ? 0 : 0.5;  // of the colours
-    const auto part_of_work = [&](double begin, double length) -> Advance {
-        if (!advance) return {};
-        return [&advance, begin, length](double part) { return advance(begin + length * part); };
-    };
     s.replace_file(path, [&] {
         if (!colour_path.empty()) {
             if (!s.colours.there())
                 throw std::invalid_argument(colour_path.string() + ": there is no colour map to save");
             check_colour_path(colour_path);
-            s.replace_file(colour_path, [&] { s.colours.save(colour_path, part_of_work(0, share)); });
+            s.replace_file(colour_path, [&] { s.colours.save(colour_path, within(advance, 0, share)); });
         }
         const MapOrigin* origin = format == s.file.format ? s.file.origin.get() : nullptr;
-        save_map(s.file.map, path, format, s.file.range, origin, part_of_work(share, 1 - share));
+        save_map(s.file.map, path, format, s.file.range, origin, within(advance, share, 1));
     });
     confirm_saved(path, colour_path);
 }

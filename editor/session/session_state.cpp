@@ -25,11 +25,7 @@ Session::State::State(const fs::path& scene_file, const SessionOptions& given)
     : options(given),
       scene(open_scene(scene_file, options.method, options.parameters)),
       start_map(options.map.empty() ? displacement().map : options.map),
-      file(open_map(displacement(), start_map, traced_by(),
-                    [this](double part) {
-                        opened(kMeshRead + (kMapRead - kMeshRead) * part);
-                        return true;
-                    })),
+      file(open_map(displacement(), start_map, traced_by(), within(options.opening, kMeshRead, kMapRead))),
       source(source_of(scene.objects.front().mesh, displacement(), file.map)),
       colours(options.colour_map.empty() ? albedo_map() : options.colour_map, albedo_map(),
               options.with_renderer) {

@@ -95,10 +95,7 @@ struct Session::State {
         colour_steps.add(changes_colours);
     }
 
-    // Of the constructor. Throws Stopped where that is wanted.
-    void opened(double part) const {
-        if (options.opening && !options.opening(part)) throw Stopped("Opening was stopped");
-    }
+    void opened(double part) const { tell(options.opening, part, "Opening was stopped"); }  // by the constructor
     void restart_image() {
         if (view) view->restart();
     }
