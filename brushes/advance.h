@@ -15,6 +15,11 @@ struct Stopped : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// What Stopped says of a file that was being written.
+inline std::string file_stays(const std::string& path) {
+    return "Stopped: '" + path + "' stays as it was";
+}
+
 // Tells it, if there is anyone to tell. `stopped`: what Stopped says.
 inline void tell(const Advance& advance, double part, const std::string& stopped) {
     if (advance && !advance(part)) throw Stopped(stopped);

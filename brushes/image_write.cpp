@@ -69,7 +69,7 @@ void stop_the_clock(OIIO::ImageSpec& spec) {
 
 std::vector<unsigned char> encoded_image(const std::filesystem::path& path, const char* kind,
                                          const char* writer, const OIIO::ImageSpec& spec,
-                                         const std::vector<std::byte>& pixels, const Advance& advance) {
+                                         std::span<const std::byte> pixels, const Advance& advance) {
     const auto fail = [&](const std::string& what) {
         throw std::invalid_argument("cannot write " + std::string(kind) + " '" + path.string() +
                                     "': " + what);
@@ -83,7 +83,7 @@ std::vector<unsigned char> encoded_image(const std::filesystem::path& path, cons
     if (!output->open(path.filename().string(), spec)) fail(output->geterror());
     const std::size_t row_bytes = static_cast<std::size_t>(spec.width) * spec.pixel_bytes(true);
     for (int begin = 0, rows = rows_at_a_time(spec); begin < spec.height; begin += rows) {
-        tell(advance, static_cast<double>(begin) / spec.height, "Stopped: '" + path.string() + "' stays as it was");
+        tell(advance, static_cast<double>(begin) / spec.height, file_stays(path.string()));
         const std::byte* const part = pixels.data() + static_cast<std::size_t>(begin) * row_bytes;
         if (!write_rows(*output, spec, begin, std::min(begin + rows, spec.height), part)) fail(output->geterror());
     }

@@ -1,11 +1,12 @@
 // Encoding image files in memory through OpenImageIO, and what of an old file's head a new one keeps. Private
-// to saving.
+// to saving maps and pictures.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "brushes/advance.h"
@@ -25,6 +26,6 @@ void stop_the_clock(OIIO::ImageSpec& spec);
 // the top. Throws std::invalid_argument that says "cannot write KIND 'PATH'"; Stopped where `advance` says so.
 std::vector<unsigned char> encoded_image(const std::filesystem::path& path, const char* kind,
                                          const char* writer, const OIIO::ImageSpec& spec,
-                                         const std::vector<std::byte>& pixels, const Advance& advance = {});
+                                         std::span<const std::byte> pixels, const Advance& advance = {});
 
 }  // namespace relievo

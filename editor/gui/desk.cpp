@@ -166,8 +166,13 @@ void Desk::save_picture(const std::filesystem::path& path) {
     const std::vector<Layer> layers =
         is_png(path) ? std::vector<Layer>{}
                      : std::vector<Layer>{Layer::depth, Layer::normal, Layer::uv, Layer::id};
-    if (attempt([&] { write_render(session.renderer(), path, layers); }))
-        toasts.info("Saved " + path.string());
+    attempt([&] {
+        work = LongWork{"Saving " + path.filename().string(),
+                        [this, path, layers](const Advance& advance) {
+                            write_render(session.renderer(), path, layers, advance);
+                        },
+                        [this, path] { toasts.info("Saved " + path.string()); }};
+    });
 }
 
 void Desk::revert() {

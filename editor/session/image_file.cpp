@@ -1,7 +1,6 @@
 // Pictures on disk: 8-bit PNG for people, float EXR with named layers for programs.
 #include "editor/session/image_file.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 
 #include "brushes/atomic_file.h"
 #include "brushes/file_check.h"
+#include "brushes/image_write.h"
 
 namespace relievo {
 namespace fs = std::filesystem;
@@ -24,17 +24,12 @@ namespace {
 }
 
 // Encoded in memory first, so that the file itself is written in one place, atomically.
+template <typename Value>
 void encode_and_write(const fs::path& path, const char* format, const OIIO::ImageSpec& spec,
-                      OIIO::TypeDesc type, const void* values) {
+                      const std::vector<Value>& values, const Advance& advance = {}) {
     check_writable(path);
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const auto output = OIIO::ImageOutput::create(format);
-    if (!output) fail(path, "cannot write the picture: " + OIIO::geterror());
-    output->set_ioproxy(&memory);
-    // close() must run whatever failed before.
-    const bool written = output->open(path.filename().string(), spec) && output->write_image(type, values);
-    if (!output->close() || !written) fail(path, "cannot write the picture: " + output->geterror());
+    const std::vector<unsigned char> bytes =
+        encoded_image(path, "picture", format, spec, std::as_bytes(std::span(values)), advance);
     write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 
@@ -51,11 +46,11 @@ void check_writable(const fs::path& path) {
         fail(path, std::string("cannot be overwritten: ") + std::strerror(errno));
 }
 
-void write_png(const fs::path& path, const DisplayPicture& picture) {
+void write_png(const fs::path& path, const DisplayPicture& picture, const Advance& advance) {
     OIIO::ImageSpec spec(picture.width, picture.height, 4, OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", 1);  // the values are final: no scaling by alpha
-    encode_and_write(path, "png", spec, OIIO::TypeDesc::UINT8, picture.rgba.data());
+    encode_and_write(path, "png", spec, picture.rgba, advance);
 }
 
 void write_jpeg(const fs::path& path, const DisplayPicture& picture) {
@@ -66,10 +61,10 @@ void write_jpeg(const fs::path& path, const DisplayPicture& picture) {
     rgb.reserve(picture.rgba.size() / 4 * 3);
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
         rgb.insert(rgb.end(), {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]});
-    encode_and_write(path, "jpeg", spec, OIIO::TypeDesc::UINT8, rgb.data());
+    encode_and_write(path, "jpeg", spec, rgb);
 }
 
-void write_exr(const fs::path& path, const FloatPicture& picture) {
+void write_exr(const fs::path& path, const FloatPicture& picture, const Advance& advance) {
     OIIO::ImageSpec spec(picture.width, picture.height, static_cast<int>(picture.channels.size()),
                          OIIO::TypeDesc::FLOAT);
     spec.channelnames = picture.channels;
@@ -79,7 +74,7 @@ void write_exr(const fs::path& path, const FloatPicture& picture) {
     }
     spec.attribute("compression", "zip");
     spec.attribute("oiio:ColorSpace", "linear");
-    encode_and_write(path, "openexr", spec, OIIO::TypeDesc::FLOAT, picture.values.data());
+    encode_and_write(path, "openexr", spec, picture.values, advance);
 }
 
 DisplayPicture read_display_picture(const fs::path& path) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "brushes/advance.h"
+
 namespace relievo {
 
 struct DisplayPicture {  // sRGB-encoded, row 0 at the top
@@ -20,9 +22,9 @@ struct FloatPicture {  // row 0 at the top
 };
 
 // These write atomically (brushes/atomic_file.h). Throw std::invalid_argument that names the path
-// when it cannot be written; an older file then stays whole.
-void write_png(const std::filesystem::path& path, const DisplayPicture& picture);
-void write_exr(const std::filesystem::path& path, const FloatPicture& picture);
+// when it cannot be written, Stopped where `advance` says so; an older file then stays whole.
+void write_png(const std::filesystem::path& path, const DisplayPicture& picture, const Advance& advance = {});
+void write_exr(const std::filesystem::path& path, const FloatPicture& picture, const Advance& advance = {});
 void write_jpeg(const std::filesystem::path& path, const DisplayPicture& picture);  // without alpha
 
 // Any 8-bit picture with 3 or 4 channels. Throws std::invalid_argument that names the file.

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 namespace relievo {
 namespace {
@@ -17,19 +16,48 @@ std::string extension_of(const std::filesystem::path& path) {
     return extension;
 }
 
-void add_layer(FloatPicture& picture, const std::vector<std::string>& channels,
-               const std::vector<float>& layer) {
-    const std::size_t before = picture.channels.size(), added = channels.size(), after = before + added;
-    const std::size_t pixels = layer.size() / added;
-    std::vector<float> values(pixels * after);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const auto pixel = values.begin() + static_cast<std::ptrdiff_t>(i * after);
-        std::copy_n(picture.values.begin() + static_cast<std::ptrdiff_t>(i * before), before, pixel);
-        std::copy_n(layer.begin() + static_cast<std::ptrdiff_t>(i * added), added,
-                    pixel + static_cast<std::ptrdiff_t>(before));
+// The wanted layers' names, in the order of the file's channels.
+std::vector<AovName> chosen(const std::vector<Layer>& aovs) {
+    std::vector<AovName> names;
+    for (const AovName& aov : aov_names())
+        if (std::find(aovs.begin(), aovs.end(), aov.layer) != aovs.end()) names.push_back(aov);
+    return names;
+}
+
+// R G B A and the layers' channels, without values yet.
+FloatPicture empty_picture(int width, int height, const std::vector<AovName>& layers) {
+    FloatPicture picture{width, height, {"R", "G", "B", "A"}, {}};
+    for (const AovName& aov : layers)
+        picture.channels.insert(picture.channels.end(), aov.channels.begin(), aov.channels.end());
+    picture.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                          picture.channels.size());
+    return picture;
+}
+
+// `values`: of so many channels from `channel` on, which is moved behind them, of whole rows from `row` on.
+void put_rows(FloatPicture& picture, int row, std::size_t& channel, std::size_t channels,
+              const std::vector<float>& values) {
+    const std::size_t stride = picture.channels.size();
+    float* to = picture.values.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) * stride;
+    to += channel;
+    for (std::size_t at = 0; at < values.size(); at += channels, to += stride)
+        std::copy_n(values.data() + at, channels, to);
+    channel += channels;
+}
+
+// By bands that each take some hundredths of a second.
+void trace_layers(Renderer& renderer, FloatPicture& picture, const std::vector<AovName>& layers,
+                  std::size_t first_channel, const std::function<void(int row)>& before_band) {
+    constexpr int kBandPixels = 1 << 16, kTile = 8;  // rows of the device's work groups
+    const int rows = std::max(1, kBandPixels / picture.width / kTile) * kTile;
+    for (int y = 0; y < picture.height; y += rows) {
+        before_band(y);
+        const PixelRect band{0, y, picture.width, std::min(y + rows, picture.height)};
+        renderer.trace_layers(band);
+        std::size_t channel = first_channel;
+        for (const AovName& aov : layers)
+            put_rows(picture, y, channel, aov.channels.size(), renderer.traced_layer(aov.layer, band));
     }
-    picture.values = std::move(values);
-    picture.channels.insert(picture.channels.end(), channels.begin(), channels.end());
 }
 
 }  // namespace
@@ -87,23 +115,32 @@ bool is_png(const std::filesystem::path& path) {
     return extension_of(path) == ".png";
 }
 
-void write_layers(const std::filesystem::path& path, int width, int height, std::vector<float> beauty,
+void write_layers(const std::filesystem::path& path, int width, int height, const std::vector<float>& beauty,
                   const std::vector<Layer>& aovs, const std::function<std::vector<float>(Layer)>& layer) {
     check_render_output(path, aovs);
-    FloatPicture picture{width, height, {"R", "G", "B", "A"}, std::move(beauty)};
-    for (const AovName& aov : aov_names())
-        if (std::find(aovs.begin(), aovs.end(), aov.layer) != aovs.end())
-            add_layer(picture, aov.channels, layer(aov.layer));
+    const std::vector<AovName> layers = chosen(aovs);
+    FloatPicture picture = empty_picture(width, height, layers);
+    std::size_t channel = 0;
+    put_rows(picture, 0, channel, 4, beauty);
+    for (const AovName& aov : layers) put_rows(picture, 0, channel, aov.channels.size(), layer(aov.layer));
     write_exr(path, picture);
 }
 
-void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs) {
-    if (is_png(path)) {
-        check_render_output(path, aovs);
-        return write_png(path, display_picture(renderer));
-    }
-    write_layers(path, renderer.width(), renderer.height(), renderer.read_back(Layer::beauty), aovs,
-                 [&](Layer layer) { return renderer.read_back(layer); });
+void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs,
+                  const Advance& advance) {
+    check_render_output(path, aovs);
+    const std::string stopped = file_stays(path.string());
+    tell(advance, 0, stopped);
+    if (is_png(path)) return write_png(path, display_picture(renderer), advance);
+    const std::vector<AovName> layers = chosen(aovs);
+    FloatPicture picture = empty_picture(renderer.width(), renderer.height(), layers);
+    std::size_t channel = 0;
+    put_rows(picture, 0, channel, 4, renderer.read_back(Layer::beauty));
+    const double share = layers.empty() ? 0 : 0.5;  // of tracing them
+    if (!layers.empty())
+        trace_layers(renderer, picture, layers, channel,
+                     [&](int row) { tell(advance, share * row / picture.height, stopped); });
+    write_exr(path, picture, within(advance, share, 1));
 }
 
 }  // namespace relievo

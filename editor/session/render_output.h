@@ -37,11 +37,12 @@ bool is_png(const std::filesystem::path& path);
 
 // An EXR with R G B A (`beauty`) and the layers, each as `layer` gives it: floats of the pixels in turn.
 // Throws std::invalid_argument as check_render_output does.
-void write_layers(const std::filesystem::path& path, int width, int height, std::vector<float> beauty,
+void write_layers(const std::filesystem::path& path, int width, int height, const std::vector<float>& beauty,
                   const std::vector<Layer>& aovs, const std::function<std::vector<float>(Layer)>& layer);
 
 // Tone-mapped PNG, or EXR with R G B A and the layers. Throws std::invalid_argument as check_render_output
-// does.
-void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs);
+// does, Stopped where `advance` says so: an older file then stays whole. Meanwhile the renderer must keep its size.
+void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs,
+                  const Advance& advance = {});
 
 }  // namespace relievo

@@ -73,6 +73,52 @@ def a_long_save_shows_how_far_it_is_and_can_be_stopped(case):
     editor.ended()
 
 
+def a_picture_being_saved_can_be_stopped_and_keeps_its_size(case):
+    case.desktop = Desktop(case.folder, 2560, 1600)
+    slow = ("--set", "dt=0.0002", "--method", "pdm")  # its layers take seconds
+    editor = case.editor = Editor(case.desktop, case.relievo, case.scene, case.folder, case.journal, slow)
+    editor.screenshot()
+    case.desktop.do("mousemove", 300, 30)
+    picture = os.path.join(case.folder, "picture.exr")
+    sky, beside = (100, 80, 300, 160), (1005, 770, 1040, 830)  # dark behind any dialog; in the one for files alone
+    before = case.desktop.screen()
+
+    def is_dark():
+        return difference(before, case.desktop.screen(), sky) > 15
+
+    def save():
+        case.desktop.drag([(29, 22)] * 2)
+        editor.screenshot()
+        click(case, 80, 241)  # Save the picture...
+        case.desktop.do("type", "--delay", "30", picture)
+        time.sleep(0.5)
+        files = case.desktop.screen()
+        case.desktop.key("Return")
+        wait_for("the bar", lambda: is_dark() and difference(files, case.desktop.screen(), beside) > 5)
+
+    def saved_bytes():
+        wait_for("the picture's file", lambda: os.path.exists(picture))
+        size = os.stat(picture).st_size
+        os.remove(picture)
+        return size
+
+    save()
+    case.desktop.key("Escape")
+    wait_for("the picture", lambda: not is_dark())
+    editor.screenshot()
+    assert not os.path.exists(picture), "it was not stopped"
+    save()
+    whole = saved_bytes()
+    editor.screenshot()
+    save()
+    case.desktop.do("windowsize", editor.window, 1400, 900)
+    resized = saved_bytes()
+    assert resized > 0.9 * whole, (resized, whole)  # what is missing takes no room; what is refined takes more
+    editor.screenshot()
+    case.desktop.key("ctrl+q")
+    editor.ended()
+
+
 def what_cannot_be_saved_on_the_way_out_is_saved_elsewhere(case):
     editor = case.open(case.journal)
     case.stroke(case.journal)
@@ -247,7 +293,8 @@ def a_long_restore_can_be_stopped_and_done_later(case):
 
 
 if __name__ == "__main__":
-    run((memory_of_compilers_goes_back, a_long_save_shows_how_far_it_is_and_can_be_stopped, journals_deleted_between_strokes_miss_nothing,
+    run((memory_of_compilers_goes_back, a_long_save_shows_how_far_it_is_and_can_be_stopped,
+         a_picture_being_saved_can_be_stopped_and_keeps_its_size, journals_deleted_between_strokes_miss_nothing,
          what_cannot_be_saved_on_the_way_out_is_saved_elsewhere, dialogs_fit_a_small_window_with_large_letters,
          a_command_during_a_stroke_that_lags_is_refused_aloud,
          files_dropped_together_are_opened_together_or_not_at_all, a_scene_that_cannot_be_opened_takes_nothing_away,

@@ -1,9 +1,13 @@
 // The live path on a device: a stroke by picking and its replay without one, and the window under the brush.
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <stdexcept>
+#include <vector>
 
+#include "editor/session/render_output.h"
 #include "editor/session/replay.h"
 #include "editor/session/stroke_input.h"
 #include "editor/session/view_window.h"
@@ -91,6 +95,78 @@ TEST_F(Live, APickedPointProjectsBackToItsPixel) {
             EXPECT_LT(glm::length(address - hit.position), 2e-3f) << "the dab's address is where the ray hit";
         }
     EXPECT_GT(hits, 5);
+}
+
+// By several bands, the last of which is lower than the others.
+TEST_F(Live, APictureSavedByBandsHoldsTheLayersAsTheyAreReadAtOnce) {
+    SessionOptions options = on_device();
+    options.width = 300;
+    options.height = 450;
+    Session session(scene_, options);
+    Renderer& renderer = session.renderer();
+    renderer.render();
+    const std::vector<Layer> layers{Layer::id, Layer::depth, Layer::uv, Layer::normal};
+    const auto path = folder_.path() / "a.exr";
+    write_render(renderer, path, layers);
+    const auto input = OIIO::ImageInput::open(path.string());
+    ASSERT_TRUE(input);
+    const auto channels = static_cast<std::size_t>(input->spec().nchannels);
+    std::vector<float> values(300 * 450 * channels);
+    ASSERT_TRUE(input->read_image(0, 0, 0, input->spec().nchannels, OIIO::TypeDesc::FLOAT, values.data()));
+    std::size_t compared = 0;
+    const auto compare = [&](Layer layer, const std::vector<std::string>& names) {
+        const std::vector<float> wanted = renderer.read_back(layer);
+        std::size_t differ = 0;
+        for (std::size_t k = 0; k < names.size(); ++k, ++compared) {
+            const int found = input->spec().channelindex(names[k]);
+            ASSERT_GE(found, 0) << names[k];
+            for (std::size_t i = 0; i < 300 * 450; ++i)
+                differ += values[i * channels + static_cast<std::size_t>(found)] != wanted[i * names.size() + k];
+        }
+        EXPECT_EQ(differ, 0u) << names.front();
+    };
+    compare(Layer::beauty, {"R", "G", "B", "A"});
+    for (const AovName& aov : aov_names())
+        if (std::find(layers.begin(), layers.end(), aov.layer) != layers.end()) compare(aov.layer, aov.channels);
+    EXPECT_EQ(compared, channels);
+}
+
+TEST_F(Live, APictureBeingSavedTellsHowFarItIsAndAStoppedOneLeavesTheFolderAsItWas) {
+    SessionOptions options = on_device();
+    options.width = 300;
+    options.height = 450;
+    Session session(scene_, options);
+    session.renderer().render();
+    const std::vector<Layer> layers{Layer::depth, Layer::normal, Layer::uv, Layer::id};
+    const auto folder = folder_.path() / "pictures";
+    std::filesystem::create_directory(folder);
+    for (const std::string name : {"a.png", "a.exr"}) {
+        const auto path = folder / name;
+        std::vector<double> parts;
+        const auto save = [&](std::size_t last) {  // stopped when it asks so many times
+            parts.clear();
+            write_render(session.renderer(), path, name == "a.png" ? std::vector<Layer>{} : layers, [&](double part) {
+                parts.push_back(part);
+                return parts.size() < last;
+            });
+        };
+        EXPECT_THROW(save(1), Stopped) << name;
+        EXPECT_TRUE(std::filesystem::is_empty(folder)) << name;
+        save(1000);
+        const std::size_t asked = parts.size();
+        EXPECT_GT(asked, name == "a.png" ? 7u : 10u);
+        EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end())) << name;
+        EXPECT_GE(parts.front(), 0.0);
+        EXPECT_LT(parts.back(), 1.0);
+        test::write_text(path, "older");
+        for (std::size_t last = 1; last <= asked; ++last) {
+            EXPECT_THROW(save(last), Stopped) << name << ", " << last;
+            EXPECT_EQ(test::read_text(path), "older") << name << ", " << last;
+        }
+        std::filesystem::remove(path);
+        EXPECT_THROW(save(asked), Stopped) << name;
+        EXPECT_TRUE(std::filesystem::is_empty(folder)) << name;
+    }
 }
 
 TEST_F(Live, EveryStageOfADabIsTimed) {
