@@ -2,6 +2,7 @@
 #include "brushes/mask_blur.h"
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 #include "brushes/seams.h"
@@ -10,34 +11,85 @@
 namespace relievo {
 namespace {
 
-// Far from the mask's borders nothing changes: spares asking who owns texels there.
-bool is_even(const HeightMap& mask, int x, int y) {
-    const std::uint16_t own = mask.at(x, y);
-    return (x == 0 || mask.at(x - 1, y) == own) && (x + 1 == mask.width() || mask.at(x + 1, y) == own) &&
-           (y == 0 || mask.at(x, y - 1) == own) && (y + 1 == mask.height() || mask.at(x, y + 1) == own);
+// A row of the mask and those beside it, as they were before. At the map's border its own in the missing one's place.
+struct Rows {
+    const std::uint16_t *below, *own, *above;
+    int width;
+};
+
+bool equal(const std::uint16_t* a, const std::uint16_t* b, int count) {
+    return std::memcmp(a, b, static_cast<std::size_t>(count) * sizeof *a) == 0;
 }
 
-std::uint16_t blurred(const HeightMap& mask, const Surface& surface, const Seams& seams, int x, int y) {
-    constexpr int kStep[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
-    const std::uint32_t own = mask.at(x, y);
-    std::uint32_t sum = 0, count = 0;
-    for (const auto& step : kStep) {
-        const int i = x + step[0], j = y + step[1];
-        if (i < 0 || j < 0 || i >= mask.width() || j >= mask.height()) continue;
-        if (!surface.owned(i, j) && !seams.is_gutter(i, j)) continue;
-        sum += mask.at(i, j), ++count;
-    }
-    return static_cast<std::uint16_t>(count == 0 ? own : (own + (sum + count / 2) / count + 1) / 2);
+// Far from the mask's borders nothing changes: spares asking who owns texels there.
+bool is_even(const Rows& rows, int begin, int end) {
+    const int first = std::max(begin - 1, 0), last = std::min(end, rows.width - 1);
+    return equal(rows.own + first, rows.own + first + 1, last - first) &&
+           equal(rows.own + begin, rows.below + begin, end - begin) &&
+           equal(rows.own + begin, rows.above + begin, end - begin);
 }
+
+bool is_even(const Rows& rows, int x) {
+    const std::uint16_t own = rows.own[x];
+    return rows.below[x] == own && rows.above[x] == own && (x == 0 || rows.own[x - 1] == own) &&
+           (x + 1 == rows.width || rows.own[x + 1] == own);
+}
+
+class Blur {
+  public:
+    Blur(HeightMap& mask, const Surface& surface, const Seams& seams)
+        : mask_(mask), surface_(surface), seams_(seams), below_(row(0)), own_(row(0)) {}
+
+    // All rows in turn, from 0 on.
+    void change_row(int y) {
+        if (y > 0) below_.swap(own_);
+        own_ = row(y);
+        const std::uint16_t* const above = y + 1 < mask_.height() ? &mask_.texels()[mask_.index(0, y + 1)] : own_.data();
+        const Rows rows{below_.data(), own_.data(), above, mask_.width()};
+        constexpr int kRun = 64;
+        for (int begin = 0; begin < rows.width; begin += kRun) {
+            const int end = std::min(begin + kRun, rows.width);
+            if (is_even(rows, begin, end)) continue;
+            for (int x = begin; x < end; ++x)
+                if (!is_even(rows, x) && surface_.owned(x, y)) mask_.set(x, y, blurred(rows, x, y));
+        }
+    }
+
+  private:
+    std::vector<std::uint16_t> row(int y) const {
+        const auto texels = mask_.texels().subspan(mask_.index(0, y), static_cast<std::size_t>(mask_.width()));
+        return {texels.begin(), texels.end()};
+    }
+
+    std::uint16_t blurred(const Rows& rows, int x, int y) const {
+        const std::uint32_t own = rows.own[x];
+        std::uint32_t sum = 0, count = 0;
+        const auto add = [&](int i, int j, std::uint16_t value) {
+            if (surface_.owned(i, j) || seams_.is_gutter(i, j)) sum += value, ++count;
+        };
+        if (x > 0) add(x - 1, y, rows.own[x - 1]);
+        if (x + 1 < rows.width) add(x + 1, y, rows.own[x + 1]);
+        if (y > 0) add(x, y - 1, rows.below[x]);
+        if (y + 1 < mask_.height()) add(x, y + 1, rows.above[x]);
+        return static_cast<std::uint16_t>(count == 0 ? own : (own + (sum + count / 2) / count + 1) / 2);
+    }
+
+    HeightMap& mask_;
+    const Surface& surface_;
+    const Seams& seams_;
+    std::vector<std::uint16_t> below_, own_;  // as they were before
+};
 
 }  // namespace
 
-void blur_once(HeightMap& mask, const Surface& surface, const Seams& seams) {
-    const HeightMap before = mask;
-    for (int y = 0; y < mask.height(); ++y)
-        for (int x = 0; x < mask.width(); ++x)
-            if (!is_even(before, x, y) && surface.owned(x, y))
-                mask.set(x, y, blurred(before, surface, seams, x, y));
+void blur_once(HeightMap& mask, const Surface& surface, const Seams& seams, const Advance& advance) {
+    constexpr int kRows = 64;  // of the largest map some hundredths of a second
+    Blur blur(mask, surface, seams);
+    for (int y = 0; y < mask.height(); ++y) {
+        if (y % kRows == 0)
+            tell(advance, static_cast<double>(y) / mask.height(), "Blurring was stopped; the mask is as it was");
+        blur.change_row(y);
+    }
 }
 
 }  // namespace relievo

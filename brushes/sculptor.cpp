@@ -233,10 +233,11 @@ void Sculptor::State::push_step() {
 }
 
 void Sculptor::State::change_mask(const std::function<void(HeightMap&)>& change) {
-    const HeightMap before = need_mask();
-    change(*mask);
-    seams.copy_all(*mask);
-    undo.push(before, *mask, Layer::mask);
+    HeightMap changed = need_mask();
+    change(changed);
+    seams.copy_all(changed);
+    undo.push(*mask, changed, Layer::mask);
+    mask = std::move(changed);
     ++mask_revision;
 }
 
@@ -331,13 +332,14 @@ void Sculptor::invert_mask() {
     });
 }
 
-void Sculptor::blur_mask() {
+void Sculptor::blur_mask(const Advance& advance) {
     state_->require_stroke(false, "blur_mask");
     if (!state_->mask) return;
     constexpr int kRounds = 4;
     state_->change_mask([&](HeightMap& mask) {
         for (int round = 0; round < kRounds; ++round) {
-            blur_once(mask, state_->surface, state_->seams);
+            const Advance part = within(advance, round / double{kRounds}, (round + 1) / double{kRounds});
+            blur_once(mask, state_->surface, state_->seams, part);
             state_->seams.copy_all(mask);
         }
     });

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "brushes/advance.h"
 #include "brushes/alpha.h"
 #include "brushes/brush.h"
 #include "brushes/colour_map.h"
@@ -62,7 +63,8 @@ class Sculptor {
     // Steps of their own, like strokes. Throw std::logic_error in a stroke.
     void clear_mask();   // frees everything
     void invert_mask();  // protects what was free, and the other way round
-    void blur_mask();    // softens its borders by a few texels, across islands
+    // Softens its borders by a few texels, across islands. Stopped, it leaves all as it was.
+    void blur_mask(const Advance& advance = {});
     // Counts: 65535 protects a texel from every tool but mask, 0 frees it. Null while nothing was ever
     // masked.
     const HeightMap* mask() const;

@@ -1,9 +1,21 @@
 // Undo steps: made from a stroke's tiles, applied by swapping.
 #include "brushes/undo_stack.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace relievo {
+namespace {
+
+bool equal_within(const TexelRect& rect, const HeightMap& a, const HeightMap& b) {
+    for (int y = rect.y0; y < rect.y1; ++y) {
+        const std::uint16_t* const row = &a.texels()[a.index(rect.x0, y)];
+        if (!std::equal(row, row + (rect.x1 - rect.x0), &b.texels()[b.index(rect.x0, y)])) return false;
+    }
+    return true;
+}
+
+}  // namespace
 
 // Only the part of `within` whose texels differ from those before: what a wandering stroke changed and
 // changed back, or never rounded to another count, needs no memory.
@@ -36,7 +48,8 @@ void UndoStack::push(const HeightMap& before, const HeightMap& map, Layer layer)
     Step step;
     const TileGrid grid(map.width(), map.height());
     for (std::uint32_t tile = 0; tile < grid.count(); ++tile)
-        add_patch(step, layer, grid.texels_of(tile), map, [&](int x, int y) { return before.at(x, y); });
+        if (const TexelRect texels = grid.texels_of(tile); !equal_within(texels, before, map))
+            add_patch(step, layer, texels, map, [&](int x, int y) { return before.at(x, y); });
     push_step(std::move(step));
 }
 

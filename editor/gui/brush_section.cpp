@@ -92,7 +92,7 @@ void mask_row(Desk& desk) {
         if (i > 0) ImGui::SameLine();
         if (push_button(readable(names[i]).c_str(), true,
                         "Of the whole mask, which protects from every tool. Undo takes it back."))
-            desk.attempt([&] { desk.session.change_mask(static_cast<MaskCommand>(i)); });
+            desk.change_mask(static_cast<MaskCommand>(i));
     }
 }
 

@@ -363,6 +363,13 @@ void Desk::show_mask(bool wanted) {
     toasts.info(wanted ? "The mask is shown darker" : "The mask is hidden; it protects all the same");
 }
 
+void Desk::change_mask(MaskCommand command) {
+    attempt([&] {
+        work = LongWork{"Changing the mask",
+                        [this, command](const Advance& advance) { session.change_mask(command, advance); }};
+    });
+}
+
 void Desk::split(bool wanted) {
     if (!wanted) {
         attempt([&] { live.compare_with(std::nullopt); });

@@ -135,6 +135,7 @@ class Desk {
     void export_colours(const std::filesystem::path& path);
     void set_view(View view);
     void show_mask(bool wanted);
+    void change_mask(MaskCommand command);
     void split(bool wanted);  // the right part of the picture by the second method
     void set_second(const MethodChoice& method);
 

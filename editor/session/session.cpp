@@ -139,7 +139,7 @@ bool Session::redo() {
     return true;
 }
 
-void Session::change_mask(MaskCommand command) {
+void Session::change_mask(MaskCommand command, const Advance& advance) {
     State& s = *state_;
     s.require_no_stroke();
     const std::uint64_t steps_before = s.sculptor->steps_made();
@@ -151,7 +151,7 @@ void Session::change_mask(MaskCommand command) {
             s.sculptor->invert_mask();
             break;
         case MaskCommand::blur:
-            s.sculptor->blur_mask();
+            s.sculptor->blur_mask(advance);
             break;
     }
     if (s.sculptor->steps_made() > steps_before) s.add_step(false, false);

@@ -129,7 +129,8 @@ class Session {
     bool in_stroke() const;
     bool undo();  // false: nothing to undo
     bool redo();
-    void change_mask(MaskCommand command);                    // one undo step
+    // One undo step. `advance` may stop a blur: then all is as it was.
+    void change_mask(MaskCommand command, const Advance& advance = {});
     // A colour map of the map's size, filled with the material's albedo, that the renderer shows in the
     // albedo's place. No undo step. std::invalid_argument where there is one already, on bits other than 8
     // and 16, while the heights are procedural, or when memory would not do.

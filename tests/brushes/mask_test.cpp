@@ -1,6 +1,13 @@
 // The mask: what it protects, its commands, and that it is undone like strokes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "brushes/mask_blur.h"
+#include "brushes/seams.h"
 #include "chart_surface.h"
 
 namespace relievo {
@@ -72,6 +79,76 @@ TEST(Mask, half_protection_halves_a_stroke) {
     for (Plane* plane : {&half, &free})
         tap(plane->sculptor, plane->surface, brush_of(Tool::draw, 0.2f), {64.5 / 128, 64.5 / 128});
     EXPECT_NEAR(half.map.at(64, 64) - before, (free.map.at(64, 64) - before) / 2.0, 1);
+}
+
+// What mask_blur.h says, texel by texel.
+HeightMap blurred_plainly(const HeightMap& mask, const Surface& surface, const Seams& seams) {
+    HeightMap result = mask;
+    for (int y = 0; y < mask.height(); ++y)
+        for (int x = 0; x < mask.width(); ++x) {
+            std::uint32_t sum = 0, count = 0;
+            for (const auto& [i, j] : {std::pair{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+                if (i < 0 || j < 0 || i >= mask.width() || j >= mask.height()) continue;
+                if (surface.owned(i, j) || seams.is_gutter(i, j)) sum += mask.at(i, j), ++count;
+            }
+            if (!surface.owned(x, y) || count == 0) continue;
+            const std::uint32_t mean = (sum + count / 2) / count;
+            result.set(x, y, static_cast<std::uint16_t>((mask.at(x, y) + mean + 1) / 2));
+        }
+    return result;
+}
+
+TEST(Mask, blur_of_any_size_is_the_plain_one) {
+    std::mt19937 random(5);
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 70}, {130, 1}, {64, 64}, {67, 129}, {200, 3}})
+        for (const unsigned runs : {1u, 9u, 150u}) {  // mean lengths of equal texels
+            HeightMap mask(width, height);
+            std::uint16_t now = 0;
+            for (std::uint16_t& texel : mask.texels()) {
+                if (random() % runs == 0) now = static_cast<std::uint16_t>(random() % 5 * 16383);
+                texel = now;
+            }
+            Chart chart = unit_chart(mask);
+            if (width > 20) chart.high.x = 0.7;  // the rest shows nothing
+            ChartSurface surface(mask, {chart}, 0.2f);
+            if (width > 100) surface.table.copies.push_back({static_cast<std::uint32_t>(width) - 20, 3});
+            const Seams seams(surface, width, height);
+            const HeightMap wanted = blurred_plainly(mask, surface, seams);
+            blur_once(mask, surface, seams, {});
+            EXPECT_EQ(mask.hash(), wanted.hash()) << width << " x " << height << ", " << runs;
+        }
+}
+
+TEST(Mask, a_stopped_blur_leaves_mask_and_undo_as_they_were) {
+    Plane plane, whole;
+    for (Plane* each : {&plane, &whole}) {
+        tap(each->sculptor, each->surface, brush_of(Tool::mask), {0.5, 0.5});
+        tap(each->sculptor, each->surface, brush_of(Tool::mask), {0.3, 0.3});
+        each->sculptor.undo();
+    }
+    std::vector<double> parts;
+    whole.sculptor.blur_mask([&](double part) {
+        parts.push_back(part);
+        return true;
+    });
+    ASSERT_GT(parts.size(), 4u);
+    EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+    EXPECT_GE(parts.front(), 0.0);
+    EXPECT_LT(parts.back(), 1.0);
+    const std::uint64_t hash = plane.sculptor.mask()->hash(), revision = plane.sculptor.mask_revision();
+    for (std::size_t last = 1; last <= parts.size(); ++last) {
+        std::size_t asked = 0;
+        EXPECT_THROW(plane.sculptor.blur_mask([&](double) { return ++asked < last; }), Stopped) << last;
+        EXPECT_EQ(asked, last);
+        EXPECT_EQ(plane.sculptor.mask()->hash(), hash) << last;
+        EXPECT_EQ(plane.sculptor.mask_revision(), revision) << last;
+    }
+    EXPECT_TRUE(plane.sculptor.can_redo()) << "what was undone is still to come";
+    plane.sculptor.blur_mask();
+    EXPECT_EQ(plane.sculptor.mask()->hash(), whole.sculptor.mask()->hash());
+    EXPECT_FALSE(plane.sculptor.can_redo());
+    plane.sculptor.undo();
+    EXPECT_EQ(plane.sculptor.mask()->hash(), hash);
 }
 
 TEST(Mask, strokes_and_commands_are_undone_in_turn_with_the_map) {

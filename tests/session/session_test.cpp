@@ -347,6 +347,23 @@ TEST(Session, AStoppedSaveStaysUnsaved) {
     EXPECT_FALSE(session.unsaved());
 }
 
+TEST(Session, AStoppedBlurOfTheMaskIsInNoJournal) {
+    const TemporaryFolder folder;
+    SessionOptions options = headless();
+    options.journal = folder.path() / "session.jsonl";
+    Session session(write_scene(folder.path()), options);
+    sculpt(session, 3, 6, Tool::mask);
+    const auto hash = session.mask()->hash();
+    const std::string before = test::read_text(options.journal);
+    EXPECT_THROW(session.change_mask(MaskCommand::blur, [](double) { return false; }), Stopped);
+    EXPECT_EQ(test::read_text(options.journal), before);
+    EXPECT_EQ(session.mask()->hash(), hash);
+    session.change_mask(MaskCommand::blur);
+    EXPECT_NE(session.mask()->hash(), hash);
+    session.undo();  // the blur alone
+    EXPECT_EQ(session.mask()->hash(), hash);
+}
+
 TEST(Session, AStoppedRevertLeavesAllAsItWas) {
     const TemporaryFolder folder;
     Session session(write_scene(folder.path()), headless());
