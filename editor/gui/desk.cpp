@@ -6,7 +6,6 @@
 #include <exception>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/mat3x3.hpp>
 #include <stdexcept>
 
 #include "editor/gui/camera_control.h"
@@ -22,6 +21,10 @@ namespace {
 
 constexpr double kFlatFovDeg = 2;
 constexpr float kLeastRadius = 0.002f, kMostRadius = 2.0f;  // of the mesh's
+
+glm::dmat3 turn_about(const glm::dvec3& axis, double degrees) {
+    return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::normalize(axis)));
+}
 
 }  // namespace
 
@@ -266,33 +269,29 @@ void Desk::go_to_camera(int number) {
 }
 
 void Desk::place_lights(const std::vector<Light>& lights, const glm::dvec3& sky_up) {
-    const auto three = [](const glm::dvec3& v) { return std::vector<double>{v.x, v.y, v.z}; };
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        const std::string key = "lights[" + std::to_string(i) + "].";
-        if (lights[i].kind == Light::Kind::sun)
-            set(key + "direction", three(lights[i].direction));
-        else
-            set(key + "position", three(lights[i].position));
-    }
-    // Most turns are about the sky's own axis, and leave it as it is.
-    if (glm::length(sky_up - session.scene().environment.up) > 1e-9) set("environment.up", three(sky_up));
+    set("lights", lights_value(lights, sky_up));
 }
 
-void Desk::turn_light(double degrees, const glm::dvec3& axis) {
+void Desk::turn_light(const glm::dmat3& turn) {
     const Scene& scene = session.scene();
-    const glm::dmat3 turn(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::normalize(axis)));
     std::vector<Light> lights = scene.lights;
     for (Light& light : lights) {
         light.direction = turn * light.direction;
         light.position = scene.camera.look_at + turn * (light.position - scene.camera.look_at);
     }
-    place_lights(lights, turn * scene.environment.up);
+    // Most turns are about the sky's own axis, and leave it as it is.
+    const glm::dvec3 now = scene.environment.up, turned = turn * now;
+    place_lights(lights, glm::length(turned - now) > 1e-9 ? turned : now);
+}
+
+void Desk::turn_light(double degrees, const glm::dvec3& axis) {
+    turn_light(turn_about(axis, degrees));
 }
 
 void Desk::turn_light(double across_deg, double down_deg) {
     const Camera& camera = session.scene().camera;
-    if (across_deg != 0) turn_light(across_deg, camera.up);
-    if (down_deg != 0) turn_light(down_deg, glm::cross(camera.look_at - camera.eye, camera.up));
+    turn_light(turn_about(glm::cross(camera.look_at - camera.eye, camera.up), down_deg) *
+               turn_about(camera.up, across_deg));
 }
 
 void Desk::flatten_view() {

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <glm/mat3x3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -146,6 +147,7 @@ class Desk {
     bool attempt(const std::function<void()>& command);
 
   private:
+    void turn_light(const glm::dmat3& turn);
     void tell_saved(const std::filesystem::path& path, const std::filesystem::path& colours);
 };
 

@@ -120,6 +120,24 @@ void set_light(std::vector<Light>& lights, const std::string& key, const SetValu
     }
 }
 
+glm::dvec3 Light::*place_of(const Light& light) {
+    return light.kind == Light::Kind::sun ? &Light::direction : &Light::position;
+}
+
+void place_lights(Scene& scene, const std::string& key, const SetValue& value) {
+    const auto& given = numbers(key, value, 3 * (scene.lights.size() + 1));
+    const auto place = [&](std::size_t i) { return glm::dvec3(given[3 * i], given[3 * i + 1], given[3 * i + 2]); };
+    std::vector<Light> lights = scene.lights;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        lights[i].*place_of(lights[i]) = place(i + 1);
+        if (lights[i].kind == Light::Kind::sun && glm::length(lights[i].direction) == 0)
+            fail(key, "the direction of lights[" + std::to_string(i) + "] must not be of length 0");
+    }
+    if (glm::length(place(0)) == 0) fail(key, "environment.up must not be of length 0");
+    scene.lights = lights;
+    scene.environment.up = place(0);
+}
+
 void set_environment(Environment& environment, const std::string& key, const SetValue& value) {
     if (key == "environment.zenith") {
         environment.zenith = color(key, value, kMaxLight);
@@ -194,6 +212,10 @@ SettingScope apply_setting(Scene& scene, const std::string& key, const SetValue&
         set_material(object.material, key, value);
         return SettingScope::material;
     }
+    if (key == "lights") {
+        place_lights(scene, key, value);
+        return SettingScope::lights;
+    }
     if (key.starts_with("lights[")) {
         set_light(scene.lights, key, value);
         return SettingScope::lights;
@@ -204,7 +226,7 @@ SettingScope apply_setting(Scene& scene, const std::string& key, const SetValue&
     }
     fail(key,
          "is not a setting; known are amplitude, midlevel, procedural.*, method, method.PARAMETER, camera, material.*, "
-         "lights[I].*, "
+         "lights, lights[I].*, "
          "environment.*");
 }
 
@@ -212,6 +234,15 @@ SetValue camera_value(const Camera& camera) {
     return std::vector<double>{camera.eye.x,     camera.eye.y,     camera.eye.z, camera.look_at.x,
                                camera.look_at.y, camera.look_at.z, camera.up.x,  camera.up.y,
                                camera.up.z,      camera.fov_deg};
+}
+
+SetValue lights_value(const std::vector<Light>& lights, const glm::dvec3& sky_up) {
+    std::vector<double> value{sky_up.x, sky_up.y, sky_up.z};
+    for (const Light& light : lights) {
+        const glm::dvec3& place = light.*place_of(light);
+        value.insert(value.end(), {place.x, place.y, place.z});
+    }
+    return value;
 }
 
 }  // namespace relievo

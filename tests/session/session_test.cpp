@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "editor/session/replay.h"
+#include "editor/session/settings.h"
 #include "tests/session/test_scene.h"
 
 namespace relievo {
@@ -278,6 +279,10 @@ TEST(Session, WrongSettingsAreNamedAndChangeNothing) {
         {"environment.sun", 1.0},
         {"environment.up", std::vector<double>{0, 0, 0}},
         {"environment.up", 1.0},
+        {"lights", std::vector<double>{0, 1, 0}},
+        {"lights", std::vector<double>{0, 1, 0, 0, 0, 0}},
+        {"lights", std::vector<double>{0, 0, 0, 0, -1, 0}},
+        {"lights", std::vector<double>{0, 1, 0, 0, std::nan(""), 0}},
     };
     for (const auto& [key, value] : wrong) {
         try {
@@ -288,6 +293,7 @@ TEST(Session, WrongSettingsAreNamedAndChangeNothing) {
         }
     }
     EXPECT_EQ(session.scene().objects[0].displacement.amplitude, 0.2);
+    EXPECT_EQ(session.scene().environment.up, glm::dvec3(0, 1, 0));
     EXPECT_TRUE(read_journal(folder.path() / "live.jsonl").entries.empty());
 }
 
@@ -309,6 +315,34 @@ TEST(Session, SettingsReachTheScene) {
     EXPECT_EQ(session.scene().camera.eye, glm::dvec3(1, 2, 3));
     EXPECT_EQ(session.scene().camera.fov_deg, 55);
     EXPECT_EQ(session.scene().environment.up, glm::dvec3(0, -2, 1));
+}
+
+TEST(Session, TurningAllLightsWithTheSkyIsOneRecordAndReplaysToTheBit) {
+    const TemporaryFolder folder;
+    const auto file = write_scene(folder.path());
+    std::string text = test::read_text(file);
+    text.insert(text.find('{') + 1, R"("lights": [{"type": "sun", "direction": [1, -2, 0.5]},
+        {"type": "point", "position": [1, 2, 3]}],)");
+    test::write_text(file, text);
+    Session session(file, recorded(folder));
+    ASSERT_EQ(session.scene().lights.size(), 2u);
+    std::vector<Light> lights = session.scene().lights;
+    glm::dvec3 up = session.scene().environment.up;
+    for (int i = 1; i <= 20; ++i) {  // a drag
+        lights[0].direction += glm::dvec3(0.1 / i, 0, 1.0 / 3);
+        lights[1].position -= glm::dvec3(0, 0.1 * i, 1e-5);
+        up += glm::dvec3(0, 0, 0.01 * i);
+        session.set("lights", lights_value(lights, up));
+    }
+    const Journal journal = read_journal(folder.path() / "live.jsonl");
+    EXPECT_EQ(journal.entries.size(), 1u);
+    Session again(file, headless());
+    replay(journal, again);
+    for (const Session* each : {&session, &again}) {
+        EXPECT_EQ(each->scene().lights[0].direction, lights[0].direction);
+        EXPECT_EQ(each->scene().lights[1].position, lights[1].position);
+        EXPECT_EQ(each->scene().environment.up, up);
+    }
 }
 
 TEST(Session, OpeningTellsHowFarItIsAndCanBeStopped) {
