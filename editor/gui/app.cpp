@@ -258,6 +258,7 @@ void App::draw_interface() {
     layout_ = make_layout(screen_->size(), desk_.view.interface_hidden, desk_.view.side_width);
     // What is being saved keeps its size.
     if (!desk_.view.work) live_.resize({layout_.picture.width, layout_.picture.height});
+    keep_lists_in_window();
     draw_over_picture();
     if (!desk_.view.interface_hidden) {
         draw_top_bar(desk_, layout_.top);

@@ -27,8 +27,7 @@ void paint_row(Brush& brush) {
 void colour_row(Brush& brush) {
     row_label("Colour");
     float rgb[3] = {brush.red, brush.green, brush.blue};
-    if (ImGui::ColorEdit3("##paint colour", rgb,
-                          ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoOptions))
+    if (color_edit("##paint colour", rgb, ImGuiColorEditFlags_PickerHueBar))
         set_colour(brush, {rgb[0], rgb[1], rgb[2]});
     tooltip("sRGB, 0 to 255. A click on the patch opens the picker; S takes the colour under the pointer.",
             "Colour");

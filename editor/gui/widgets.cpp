@@ -98,10 +98,14 @@ bool switch_row(std::string_view label, bool& value, std::string_view text) {
 
 bool color_row(std::string_view label, float (&rgb)[3], std::string_view text) {
     row_label(label);
-    const bool changed = ImGui::ColorEdit3(hidden_label(label).c_str(), rgb,
-                                           ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoOptions);
+    const bool changed = color_edit(hidden_label(label).c_str(), rgb, ImGuiColorEditFlags_Float);
     tooltip(text, label);
     return changed;
+}
+
+bool color_edit(const char* label, float (&rgb)[3], int flags) {
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImGui::GetMainViewport()->Size);
+    return ImGui::ColorEdit3(label, rgb, flags | ImGuiColorEditFlags_NoOptions);
 }
 
 void text_row(std::string_view label, std::string_view value) {
@@ -206,6 +210,16 @@ void close_list_on_escape() {
     const auto& open = ImGui::GetCurrentContext()->OpenPopupStack;
     if (escape_key() && !open.empty() && open.back().Window != nullptr && !is_dialog(open.back()))
         ImGui::ClosePopupToLevel(open.Size - 1, true);
+}
+
+void keep_lists_in_window() {
+    const ImVec2 most = ImGui::GetMainViewport()->Size;
+    const auto within = [](float at, float size, float room) { return std::clamp(at, 0.0f, std::max(0.0f, room - size)); };
+    for (const ImGuiPopupData& popup : ImGui::GetCurrentContext()->OpenPopupStack) {
+        if (popup.Window == nullptr || is_dialog(popup)) continue;
+        const ImVec2 at = popup.Window->Pos, size = popup.Window->Size;
+        ImGui::SetWindowPos(popup.Window, ImVec2(within(at.x, size.x, most.x), within(at.y, size.y, most.y)));
+    }
 }
 
 bool dialog_button(const char* label, bool suggested) {

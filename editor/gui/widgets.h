@@ -23,6 +23,8 @@ bool slider_row(std::string_view label, float& value, const Range& range, std::s
                 std::string_view unit = {});
 bool switch_row(std::string_view label, bool& value, std::string_view tooltip);
 bool color_row(std::string_view label, float (&rgb)[3], std::string_view tooltip);  // linear
+// Three numbers and a patch, which opens a picker: no larger than the window, it scrolls then. ImGuiColorEditFlags.
+bool color_edit(const char* label, float (&rgb)[3], int flags);
 void text_row(std::string_view label, std::string_view value);
 
 // A path's end says which file it is: where there is no room for the whole, that is what is seen of it.
@@ -53,6 +55,9 @@ void beside_dialog_button();
 bool escape_pressed();  // but for a list over a dialog, which alone it closes
 // Lists that unfold and pickers of colours, which Dear ImGui 1.86 leaves open. Called once a frame, after all else.
 void close_list_on_escape();
+// Where the window has shrunk under them, they go back into it: Dear ImGui 1.86 places them once, and leaves no more than
+// an edge within. Called once a frame, before all else.
+void keep_lists_in_window();
 void note(std::string_view text);  // a line about what is wrong in a dialog; it keeps its place when empty
 
 // Puts the cursor where a control of the row begins, after drawing its label.
