@@ -89,10 +89,12 @@ void mask_row(Desk& desk) {
     row_label("Mask");
     const auto names = mask_commands();
     for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto command = static_cast<MaskCommand>(i);
+        const bool can = desk.session.mask() != nullptr || command == MaskCommand::invert;
         if (i > 0) ImGui::SameLine();
-        if (push_button(readable(names[i]).c_str(), true,
+        if (push_button(readable(names[i]).c_str(), can,
                         "Of the whole mask, which protects from every tool. Undo takes it back."))
-            desk.change_mask(static_cast<MaskCommand>(i));
+            desk.change_mask(command);
     }
 }
 

@@ -57,6 +57,7 @@ void scale_menu(Desk& desk) {
 void file_menu(Desk& desk) {
     if (push_button("File", true, {})) ImGui::OpenPopup("file");
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y});
+    end_list_in_window(ImGui::GetItemRectMax().y);
     if (!ImGui::BeginPopup("file")) return;
     const auto item = [&](const char* name, const char* keys, Dialog dialog) {
         if (ImGui::MenuItem(name, keys)) desk.view.wanted = dialog;
@@ -254,6 +255,7 @@ void more_button(Desk& desk, int shown) {
     if (push_button("More", true, "Settings for which the bar has no room")) ImGui::OpenPopup("more");
     if (lit) ImGui::PopStyleColor();
     ImGui::SetNextWindowPos(ImGui::GetItemRectMax(), ImGuiCond_Always, {1, 0});
+    end_list_in_window(ImGui::GetItemRectMax().y);
     if (!ImGui::BeginPopup("more")) return;
     for (const BarItem& item : kItems) {
         if (item.rank < shown) continue;

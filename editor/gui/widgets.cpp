@@ -222,6 +222,11 @@ void keep_lists_in_window() {
     }
 }
 
+void end_list_in_window(float top) {
+    const ImVec2 most = ImGui::GetMainViewport()->Size;
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(most.x, most.y - top));
+}
+
 bool dialog_button(const char* label, bool suggested) {
     if (suggested) ImGui::PushStyleColor(ImGuiCol_Button, kAccentDim);
     const bool pushed = ImGui::Button(label, ImVec2(points(kDialogButton), 0));

@@ -58,6 +58,8 @@ void close_list_on_escape();
 // Where the window has shrunk under them, they go back into it: Dear ImGui 1.86 places them once, and leaves no more than
 // an edge within. Called once a frame, before all else.
 void keep_lists_in_window();
+// For the list that is begun next and unfolds downwards from `top`: it ends where the window does, and scrolls then.
+void end_list_in_window(float top);
 void note(std::string_view text);  // a line about what is wrong in a dialog; it keeps its place when empty
 
 // Puts the cursor where a control of the row begins, after drawing its label.

@@ -155,6 +155,20 @@ def dialogs_fit_a_small_window_with_large_letters(case):
     editor.ended()
 
 
+def a_menu_higher_than_the_window_scrolls_to_its_end(case):
+    case.desktop = Desktop(case.folder, 640, 400)
+    editor = case.editor = Editor(case.desktop, case.relievo, case.scene, case.folder, case.journal,
+                                  preferences={"interface_scale": 2})
+    editor.screenshot()
+    case.desktop.drag([(58, 44)] * 2)
+    editor.screenshot()
+    case.desktop.do("mousemove", 400, 120)
+    case.desktop.do("click", "--repeat", 15, "--delay", 50, 5)
+    editor.screenshot()
+    case.desktop.drag([(400, 366)] * 2)  # Quit
+    editor.ended()
+
+
 def a_command_during_a_stroke_that_lags_is_refused_aloud(case):
     editor = case.open(case.journal)
     for _ in range(8):
@@ -296,6 +310,7 @@ if __name__ == "__main__":
     run((memory_of_compilers_goes_back, a_long_save_shows_how_far_it_is_and_can_be_stopped,
          a_picture_being_saved_can_be_stopped_and_keeps_its_size, journals_deleted_between_strokes_miss_nothing,
          what_cannot_be_saved_on_the_way_out_is_saved_elsewhere, dialogs_fit_a_small_window_with_large_letters,
+         a_menu_higher_than_the_window_scrolls_to_its_end,
          a_command_during_a_stroke_that_lags_is_refused_aloud,
          files_dropped_together_are_opened_together_or_not_at_all, a_scene_that_cannot_be_opened_takes_nothing_away,
          what_is_dropped_on_a_save_dialog_opens_after_the_answer_about_unsaved_work,
