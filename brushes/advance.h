@@ -16,8 +16,8 @@ struct Stopped : std::runtime_error {
 };
 
 // What Stopped says of a file that was being written.
-inline std::string file_stays(const std::string& path) {
-    return "Stopped: '" + path + "' stays as it was";
+inline std::string not_written(const std::string& path) {
+    return "Stopped: nothing was written to '" + path + "'";
 }
 
 // Tells it, if there is anyone to tell. `stopped`: what Stopped says.

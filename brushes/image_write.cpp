@@ -83,7 +83,7 @@ std::vector<unsigned char> encoded_image(const std::filesystem::path& path, cons
     if (!output->open(path.filename().string(), spec)) fail(output->geterror());
     const std::size_t row_bytes = static_cast<std::size_t>(spec.width) * spec.pixel_bytes(true);
     for (int begin = 0, rows = rows_at_a_time(spec); begin < spec.height; begin += rows) {
-        tell(advance, static_cast<double>(begin) / spec.height, file_stays(path.string()));
+        tell(advance, static_cast<double>(begin) / spec.height, not_written(path.string()));
         const std::byte* const part = pixels.data() + static_cast<std::size_t>(begin) * row_bytes;
         if (!write_rows(*output, spec, begin, std::min(begin + rows, spec.height), part)) fail(output->geterror());
     }

@@ -129,7 +129,7 @@ void write_layers(const std::filesystem::path& path, int width, int height, cons
 void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs,
                   const Advance& advance) {
     check_render_output(path, aovs);
-    const std::string stopped = file_stays(path.string());
+    const std::string stopped = not_written(path.string());
     tell(advance, 0, stopped);
     if (is_png(path)) return write_png(path, display_picture(renderer), advance);
     const std::vector<AovName> layers = chosen(aovs);
