@@ -68,6 +68,7 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.slabs = needs_slabs(scene, *request.method);
     f.pyramid = all || needs_pyramid(scene, *request.method);
     f.true_shell = request.method->geometry == GeometryKind::surface_bounds;
+    f.hits = request.method->hits;
     f.procedural = all || any_procedural(scene);
     f.albedo_maps = all || any_albedo_map(scene, request);
     f.micro_triangles = request.method->geometry == GeometryKind::triangles;

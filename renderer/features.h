@@ -35,6 +35,7 @@ struct Features {
     bool pyramid = false;        // min-max pyramid on the device: of all maps, or beside slabs of exemplars alone
     bool slabs = false;          // bounds of maps about planes on the device
     bool true_shell = false;     // boxes and clipping hold S itself, not only the parallel prism's surface
+    HitPlace hits = HitPlace::in_box;  // the method's
     bool procedural = false;     // heights made of an exemplar
     bool albedo_maps = false;    // a material's albedo is a map
     bool micro_triangles = false; // S made of triangles in advance

@@ -36,6 +36,11 @@ double bilinear_height(const HeightView& map, Wrap wrap, const glm::dvec2& texel
     return glm::mix(glm::mix(height(0, 0), height(1, 0), f.x), glm::mix(height(0, 1), height(1, 1), f.x), f.y);
 }
 
+std::array<glm::vec2, 3> face_uvs(const Mesh& mesh, std::uint32_t face) {
+    const auto& uv = mesh.faces[face].uv;
+    return {mesh.uvs[uv[0]], mesh.uvs[uv[1]], mesh.uvs[uv[2]]};
+}
+
 // Edges that one triangle has for itself: rays may look underneath there.
 void flag_open_edges(const Mesh& mesh, std::uint32_t face, const std::map<std::pair<std::uint32_t, std::uint32_t>, int>& uses,
                      gpu::Primitive& primitive) {
@@ -62,7 +67,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, int> count_edge_uses(const Mes
 GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const Scene& scene,
                    std::span<const HeightView> maps, std::span<const ColourView> colours, const Features& features,
                    const std::vector<Mesh>& meshes)
-    : context_(context), commands_(commands), meets_surface_(features.true_shell) {
+    : context_(context), commands_(commands), meets_surface_(features.true_shell), hits_(features.hits) {
     std::vector<gpu::Primitive> primitives;
     objects_.reserve(scene.objects.size());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -74,12 +79,16 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
     if (primitives.empty()) throw std::invalid_argument(scene.path.string() + ": no triangle of the scene has an area");
     std::vector<Box> boxes;
     boxes.reserve(primitives.size());
-    for (const gpu::Primitive& p : primitives) boxes.push_back(box_of(p));
+    for (const gpu::Primitive& p : primitives) {
+        bound_closely(p);
+        boxes.push_back(box_of(p));
+    }
     const auto order = spatial_order(boxes);
 
     primitives_ = vulkan::Buffer(context, primitives.size() * sizeof(gpu::Primitive), kStorage, vulkan::Access::host);
     normals_ = vulkan::Buffer(context, primitives.size() * sizeof(gpu::PrimitiveNormals), kStorage, vulkan::Access::host);
     std::vector<Box> sorted;
+    std::vector<SurfaceHull> hulls;
     sorted.reserve(order.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
         const gpu::Primitive& p = primitives[order[i]];
@@ -87,6 +96,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         normals_.as<gpu::PrimitiveNormals>()[i] = primitive_normals(objects_[p.object].mesh, p.face);
         objects_[p.object].primitive_of[p.face] = i;
         sorted.push_back(boxes[order[i]]);
+        if (hits_ != HitPlace::in_box) hulls.push_back(hull_of(p));
     }
     if (features.micro_triangles) {
         std::vector<MicroScene::Object> micro_objects;
@@ -96,7 +106,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         if (!features.driver_triangles) sorted = micro_->boxes();
     }
     tree_ = features.driver_triangles ? SceneTree(context, commands, micro_->triangles())
-                                      : SceneTree(context, commands, sorted, features.path);
+                                      : SceneTree(context, commands, sorted, hulls, features.path);
 
     object_data_ = vulkan::Buffer(context, objects_.size() * sizeof(gpu::ObjectData), kStorage, vulkan::Access::host);
     for (std::size_t i = 0; i < objects_.size(); ++i) {
@@ -141,6 +151,7 @@ void GpuScene::add_object(const SceneObject& description, const HeightView& map,
     add_primitives(object, {{map.width, map.height}, object.wrap == Wrap::clamp, object.source.get()}, primitives);
     const HeightView shown{map.width, map.height, object.source ? object.source->gaussianised().data() : map.texels};
     load_map(object, shown, features);
+    if (has_close_bounds(object)) object.close.resize(object.mesh.faces.size());
     load_opacity(description, object, features.opacity);
 }
 
@@ -240,8 +251,12 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
         DisplacementRange& range = object.ranges[face];
         const DisplacementRange fresh = range_of(object, face);
         // Bounds that shrank stay: they are still true, and the box need not move. Micro-triangles move.
-        if (!micro_ && fresh.low >= range.low && fresh.high <= range.high) continue;
+        const bool wider = fresh.low < range.low || fresh.high > range.high;
         range = {std::min(range.low, fresh.low), std::max(range.high, fresh.high)};
+        const bool moved = has_close_bounds(object) &&
+                           update_close_bounds(object.close[face], triangle_of(primitives_.as<gpu::Primitive>()[i]),
+                                               surface_of(object));
+        if (!micro_ && !wider && !moved) continue;
         update_primitive(object, face);
         ++stats.triangles_grown;
         grown = true;
@@ -256,8 +271,36 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
 
 Box GpuScene::box_of(const gpu::Primitive& p) const {
     if (!meets_surface_) return prism_box(p);
+    const MappedTriangle triangle = triangle_of(p);
     const Object& object = objects_[p.object];
-    return surface_box(p, primitive_normals(object.mesh, p.face), object.ranges[p.face]);
+    return has_close_bounds(object) ? box_within(object.close[p.face], triangle)
+                                    : surface_box(p, triangle.normals, triangle.range);
+}
+
+SurfaceHull GpuScene::hull_of(const gpu::Primitive& p) const {
+    if (hits_ == HitPlace::in_prism) return (p.flags & gpu::kPrimitiveSearched) != 0 ? SurfaceHull{} : prism_hull(p);
+    const MappedTriangle triangle = triangle_of(p);
+    const Object& object = objects_[p.object];
+    return has_close_bounds(object) ? hull_within(object.close[p.face], triangle, surface_of(object))
+                                    : surface_hull(p, triangle.normals, triangle.range);
+}
+
+MappedTriangle GpuScene::triangle_of(const gpu::Primitive& p) const {
+    const Object& object = objects_[p.object];
+    return {p, primitive_normals(object.mesh, p.face), face_uvs(object.mesh, p.face), object.ranges[p.face]};
+}
+
+bool GpuScene::has_close_bounds(const Object& object) const {
+    return hits_ == HitPlace::on_surface && object.pyramid && !object.source;
+}
+
+MapSurface GpuScene::surface_of(const Object& object) const {
+    return {object.heights, *object.pyramid, object.amplitude, object.midlevel};
+}
+
+void GpuScene::bound_closely(const gpu::Primitive& p) {
+    Object& object = objects_[p.object];
+    if (has_close_bounds(object)) object.close[p.face] = close_bounds(triangle_of(p), surface_of(object));
 }
 
 void GpuScene::update_primitive(const Object& object, std::uint32_t face) {
@@ -266,7 +309,10 @@ void GpuScene::update_primitive(const Object& object, std::uint32_t face) {
     set_bounds(object, face, p);
     any_searched_ = any_searched_ || (p.flags & gpu::kPrimitiveSearched) != 0;
     if (micro_) micro_->move(i, p, micro_object(object).displacement, tree_);
-    else tree_.set_box(i, box_of(p));
+    else {
+        tree_.set_box(i, box_of(p));
+        if (hits_ != HitPlace::in_box) tree_.set_hull(i, hull_of(p));
+    }
 }
 
 void GpuScene::set_displacement(std::size_t index, double amplitude, double midlevel) {
@@ -278,6 +324,7 @@ void GpuScene::set_displacement(std::size_t index, double amplitude, double midl
     for (std::uint32_t face = 0; face < object.primitive_of.size(); ++face) {
         if (object.primitive_of[face] == kNone) continue;
         object.ranges[face] = range_of(object, face);
+        bound_closely(primitives_.as<gpu::Primitive>()[object.primitive_of[face]]);
         update_primitive(object, face);
     }
     tree_.refit(commands_);

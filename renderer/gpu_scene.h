@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/albedo_image.h"
+#include "renderer/close_bounds.h"
 #include "renderer/features.h"
 #include "renderer/height_pyramid.h"
 #include "renderer/height_slabs.h"
@@ -15,6 +16,7 @@
 #include "renderer/renderer.h"
 #include "renderer/scene/triangle_bounds.h"
 #include "renderer/scene_tree.h"
+#include "renderer/surface_hull.h"
 
 namespace relievo {
 
@@ -68,6 +70,8 @@ class GpuScene {
         Mesh mesh;                               // as traced: creases mended where the method wants it
         std::vector<std::uint32_t> primitive_of; // traced face -> primitive; kNone for faces without area
         std::vector<DisplacementRange> ranges;   // of traced faces; only ever wider while the map is edited
+        // Of traced faces, where the method's hits lie on S itself and heights are a map. Else none.
+        std::vector<CloseBounds> close;
         std::unique_ptr<HeightBounds> bounds;
         std::unique_ptr<TriangleLookup> lookup;
         std::unique_ptr<HeightPyramid> pyramid;  // where the method bounds heights
@@ -99,6 +103,11 @@ class GpuScene {
     void set_bounds(const Object& object, std::uint32_t face, gpu::Primitive& primitive) const;
     DisplacementRange range_of(const Object& object, std::uint32_t face) const;
     Box box_of(const gpu::Primitive& primitive) const;
+    SurfaceHull hull_of(const gpu::Primitive& primitive) const;
+    MappedTriangle triangle_of(const gpu::Primitive& primitive) const;
+    MapSurface surface_of(const Object& object) const;
+    bool has_close_bounds(const Object& object) const;
+    void bound_closely(const gpu::Primitive& primitive);
     MicroScene::Object micro_object(const Object& object) const;
     void update_primitive(const Object& object, std::uint32_t face);  // bounds and box, after the range has changed
 
@@ -106,6 +115,7 @@ class GpuScene {
     vulkan::Commands& commands_;
     bool any_searched_ = false;
     bool meets_surface_ = false;  // the method meets S itself, not the parallel prism's surface
+    HitPlace hits_;               // of the method
     std::vector<Object> objects_;
     vulkan::Buffer primitives_, normals_, object_data_, procedural_, staging_;
     std::optional<MicroScene> micro_;

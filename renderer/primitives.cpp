@@ -208,39 +208,9 @@ double relative_altitude(const gpu::Primitive& p) {
 }  // namespace
 
 Box with_rounding(const Box& box) {
-    const glm::vec3 margin = glm::vec3(glm::length(box.high - box.low) * 2e-5f) +
-                             glm::max(glm::abs(box.low), glm::abs(box.high)) * 1e-6f;
+    const glm::vec3 margin = glm::vec3(glm::length(box.high - box.low) * kRoundingOfSize) +
+                             glm::max(glm::abs(box.low), glm::abs(box.high)) * kRoundingOfCoordinates;
     return {box.low - margin, box.high + margin};
-}
-
-Box surface_box(const gpu::Primitive& p, const gpu::PrimitiveNormals& n, const DisplacementRange& range) {
-    // S lies in the hull of P_i + D_low N_i s and P_i + D_high N_i s, s the middle of 1/|N|, grown by what
-    // |N| varies.
-    const std::array<dvec3, 3> normals{n.n0, n.n1, n.n2};
-    const dvec3 tangent = p.tangent, bitangent = glm::cross(dvec3(p.ng), tangent), origin = p.origin;
-    const std::array<dvec3, 3> corners{origin, origin + tangent * double{p.q1x},
-                                       origin + tangent * double{p.q2.x} + bitangent * double{p.q2.y}};
-    const dvec3 middle = (normals[0] + normals[1] + normals[2]) / 3.0;
-    double spread = 0;
-    for (const dvec3& normal : normals) spread = std::max(spread, glm::length(normal - middle));
-    const double shortest = std::max(glm::length(middle) - spread, 0.0);
-    const double scale = shortest > 0 ? 2 / (shortest + 1) : 0;
-    const double most = std::max(std::abs(range.low), std::abs(range.high));
-    const double radius = most * (shortest > 0 ? (1 - shortest) / (1 + shortest) : 1.0);
-    Box box{glm::vec3(1e30f), glm::vec3(-1e30f)};
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (const double d : {range.low, range.high}) {
-            const dvec3 point = corners[i] + normals[i] * (d * scale);
-            box.low = glm::min(box.low, glm::vec3(point - radius));
-            box.high = glm::max(box.high, glm::vec3(point + radius));
-        }
-    }
-    box = with_rounding(box);
-    if ((p.flags & gpu::kPrimitiveSearched) != 0) return box;
-    // S also stays near the prism, whose box is the narrower one where the normals are spread.
-    const Box prism = prism_box(p);
-    const glm::vec3 sides = (prism.high - prism.low) * (2 * p.shell_margin);
-    return {glm::max(box.low, prism.low - sides), glm::min(box.high, prism.high + sides)};
 }
 
 void set_shell(gpu::Primitive& p, const gpu::PrimitiveNormals& n, const DisplacementRange& range) {
@@ -259,19 +229,6 @@ void set_shell(gpu::Primitive& p, const gpu::PrimitiveNormals& n, const Displace
     const double slack = height_slack(p, range);
     p.w_low = static_cast<float>(range.low - slack);
     p.w_high = static_cast<float>(range.high + slack);
-}
-
-Box prism_box(const gpu::Primitive& p) {
-    const glm::vec3 bitangent = glm::cross(p.ng, p.tangent);
-    Box box{glm::vec3(1e30f), glm::vec3(-1e30f)};
-    for (const float w : {p.w_low, p.w_high}) {
-        for (const glm::vec2& q : {p.shift0 * w, glm::vec2(p.q1x, 0) + p.shift1 * w, p.q2 + p.shift2 * w}) {
-            const glm::vec3 corner = p.origin + p.tangent * q.x + bitangent * q.y + p.ng * w;
-            box.low = glm::min(box.low, corner);
-            box.high = glm::max(box.high, corner);
-        }
-    }
-    return with_rounding(box);
 }
 
 std::vector<std::uint32_t> spatial_order(const std::vector<Box>& boxes) {

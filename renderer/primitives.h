@@ -1,4 +1,4 @@
-// Base triangles as rays meet them: prism in the triangle's frame, texture footprint, height range, box.
+// Base triangles as rays meet them: prism in the triangle's frame, texture footprint, height range.
 // Paper 002, section 4 (parallel offset prism, equations 4 to 6) and 5.4 (extents per prism).
 #pragma once
 
@@ -48,12 +48,10 @@ void set_heights(gpu::Primitive& primitive, const DisplacementRange& range);
 // primitive is flagged kPrimitiveSearched and its heights are the range itself.
 void set_shell(gpu::Primitive& primitive, const gpu::PrimitiveNormals& normals, const DisplacementRange& range);
 
+// How far beside a surface its hits may be found: of its size, and of its coordinates.
+constexpr float kRoundingOfSize = 2e-5f, kRoundingOfCoordinates = 1e-6f;
 // The box, a little larger than rounding needs.
 Box with_rounding(const Box& box);
-// Box of the prism between w_low and w_high, a little larger than rounding needs.
-Box prism_box(const gpu::Primitive& primitive);
-// Box of S over the triangle for displacements in the range, after set_shell with the same; likewise.
-Box surface_box(const gpu::Primitive& primitive, const gpu::PrimitiveNormals& normals, const DisplacementRange& range);
 
 // Order in which primitives are stored: recursive median split over the boxes' centres, because some drivers only
 // halve the index range (measured on lavapipe: rays 1.1 to 7 times faster).

@@ -118,7 +118,8 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Copies texels of the regions into the object's image and keeps its triangles' bounds true. Nothing is rebuilt.
+    // Copies texels of the regions into the object's image and keeps its triangles' bounds true. Nothing is rebuilt. Elsewhere
+    // `map` is as it was: bounds are made of its texels.
     UploadStats upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions);
 
     // The same of the object's albedo map, which must have been given; of its size.

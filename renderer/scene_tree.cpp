@@ -13,9 +13,9 @@ VkAabbPositionsKHR vulkan_box(const Box& b) {
 }  // namespace
 
 SceneTree::SceneTree(const vulkan::Context& context, vulkan::Commands& commands, std::span<const Box> boxes,
-                     TracePath path) {
+                     std::span<const SurfaceHull> hulls, TracePath path) {
     if (path == TracePath::bvh) {
-        wide_.emplace(boxes);
+        wide_.emplace(boxes, hulls);
         const auto nodes = wide_->nodes();
         nodes_ = vulkan::Buffer(context, nodes.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                 vulkan::Access::host);
@@ -38,6 +38,10 @@ void SceneTree::set_box(std::uint32_t primitive, const Box& box) {
         wide_->set_box(primitive, box);
     else
         boxes_.as<VkAabbPositionsKHR>()[primitive] = vulkan_box(box);
+}
+
+void SceneTree::set_hull(std::uint32_t primitive, const SurfaceHull& hull) {
+    if (wide_) wide_->set_hull(primitive, hull);
 }
 
 void SceneTree::refit(vulkan::Commands& commands) {

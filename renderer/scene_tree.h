@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "renderer/surface_hull.h"
 #include "renderer/trace_path.h"
 #include "renderer/vulkan/acceleration.h"
 #include "renderer/wide_bvh.h"
@@ -14,9 +15,9 @@ namespace relievo {
 class SceneTree {
   public:
     SceneTree() = default;
-    // Box i is primitive i. At least one.
+    // Box i is primitive i. At least one. Hulls may be none; only our own tree makes use of them.
     SceneTree(const vulkan::Context& context, vulkan::Commands& commands, std::span<const Box> boxes,
-              TracePath path);
+              std::span<const SurfaceHull> hulls, TracePath path);
     // The device's, over triangles that it meets by itself; triangle i is primitive i. Their buffers outlive
     // the tree.
     SceneTree(const vulkan::Context& context, vulkan::Commands& commands,
@@ -25,6 +26,7 @@ class SceneTree {
     // After boxes were set, or the triangles' vertices have moved: refit().
     bool has_boxes() const { return wide_ || boxes_.bytes() > 0; }
     void set_box(std::uint32_t primitive, const Box& box);
+    void set_hull(std::uint32_t primitive, const SurfaceHull& hull);  // where the tree was made of hulls, too
     void refit(vulkan::Commands& commands);
 
     // One of the two: nothing of the other is there.

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <optional>
 #include <queue>
 
 namespace relievo {
@@ -14,6 +17,33 @@ constexpr int kLeastExponent = -100, kExponentBias = 127;
 constexpr int kSteps = 255;
 // The walk's rounding within a node, in steps of its grid, is under 1e-4 (trace/bvh.glsl).
 constexpr double kStepSlack = 1.0 / 256;
+constexpr double kSlabStep = 9.0 / 32, kSlabReach = 63.0 / 64;
+
+// Slabs across larger subtrees say no more than boxes, and what a refit costs grows with them.
+constexpr std::uint32_t kMostSlabLeaves = 1024;
+// Coordinates beyond have no slab: the walk's products stay finite.
+constexpr float kMostSlab = 1e12f;
+
+// A direction that a byte tells, as the walk computes it (trace/node_boxes.glsl): 1 along one axis, a multiple of 9/32 less
+// 63/64 along the next two. Not of unit length.
+struct SlabDirection {
+    std::uint32_t code;
+    glm::dvec3 across;
+};
+
+std::optional<SlabDirection> slab_direction(const glm::dvec3& facing) {
+    const glm::dvec3 size = glm::abs(facing);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    if (!(size[axis] > 0) || !std::isfinite(size[axis])) return std::nullopt;
+    SlabDirection d{static_cast<std::uint32_t>(axis) << 6, glm::dvec3(1)};
+    for (int k = 0; k < 2; ++k) {
+        const int other = (axis + 1 + k) % 3;
+        const double steps = std::clamp(std::round((facing[other] / facing[axis] + kSlabReach) / kSlabStep), 0.0, 7.0);
+        d.code |= static_cast<std::uint32_t>(steps) << (3 * k);
+        d.across[other] = steps * kSlabStep - kSlabReach;
+    }
+    return d;
+}
 
 // Whatever is not a number is everywhere.
 Box sane(Box b) {
@@ -58,15 +88,20 @@ Axis quantised(float node_low, float node_high, const std::array<float, 4>& low,
 
 }  // namespace
 
-WideBvh::WideBvh(std::span<const Box> boxes) : branch_of_(boxes.size()) {
+WideBvh::WideBvh(std::span<const Box> boxes, std::span<const SurfaceHull> hulls)
+    : hulls_(hulls.begin(), hulls.end()), branch_of_(boxes.size()) {
     boxes_.reserve(boxes.size());
     for (const Box& b : boxes) boxes_.push_back(sane(b));
     branches_ = build_box_bvh(boxes_);
     nodes_.resize(branches_.size());
     node_boxes_.resize(branches_.size());
+    leaf_count_.resize(branches_.size());
     for (auto i = static_cast<std::uint32_t>(branches_.size()); i-- > 0;) {
-        for (const std::uint32_t child : branches_[i].child)
-            if (child != gpu::kBvhNone && child >= gpu::kBvhLeaf) branch_of_[child & ~gpu::kBvhLeaf] = i;
+        for (const std::uint32_t child : branches_[i].child) {
+            if (child == gpu::kBvhNone) continue;
+            if (child >= gpu::kBvhLeaf) branch_of_[child & ~gpu::kBvhLeaf] = i;
+            leaf_count_[i] += child >= gpu::kBvhLeaf ? 1 : leaf_count_[child];
+        }
         fit(i);
     }
 }
@@ -74,6 +109,10 @@ WideBvh::WideBvh(std::span<const Box> boxes) : branch_of_(boxes.size()) {
 void WideBvh::set_box(std::uint32_t i, const Box& box) {
     boxes_[i] = sane(box);
     touched_.push_back(branch_of_[i]);
+}
+
+void WideBvh::set_hull(std::uint32_t i, const SurfaceHull& hull) {
+    hulls_[i] = hull;
 }
 
 std::vector<std::uint32_t> WideBvh::refit() {
@@ -85,7 +124,8 @@ std::vector<std::uint32_t> WideBvh::refit() {
         const std::uint32_t node = waiting.top();
         while (!waiting.empty() && waiting.top() == node) waiting.pop();
         changed.push_back(node);
-        if (fit(node) && branches_[node].parent != gpu::kBvhNone) waiting.push(branches_[node].parent);
+        const std::uint32_t parent = branches_[node].parent;
+        if ((fit(node) || (parent != gpu::kBvhNone && has_slab(parent))) && parent != gpu::kBvhNone) waiting.push(parent);
     }
     return changed;
 }
@@ -116,10 +156,60 @@ bool WideBvh::fit(std::uint32_t index) {
         }
     }
     node.child = {branch.child[0], branch.child[1], branch.child[2], branch.child[3]};
+    fit_slab(index, node);
     const bool moved = whole.low != node_boxes_[index].low || whole.high != node_boxes_[index].high;
     nodes_[index] = node;
     node_boxes_[index] = whole;
     return moved;
+}
+
+bool WideBvh::has_slab(std::uint32_t node) const {
+    return !hulls_.empty() && leaf_count_[node] <= kMostSlabLeaves;
+}
+
+void WideBvh::collect_leaves(std::uint32_t child, std::vector<std::uint32_t>& leaves) const {
+    if (child == gpu::kBvhNone) return;
+    if (child >= gpu::kBvhLeaf) return leaves.push_back(child & ~gpu::kBvhLeaf);
+    for (const std::uint32_t c : branches_[child].child) collect_leaves(c, leaves);
+}
+
+// The children's extents in 255 steps of what the node's grid of boxes has along the slab's direction.
+void WideBvh::fit_slab(std::uint32_t index, gpu::BvhNode& node) const {
+    node.exponents |= gpu::kBvhNoSlab << 24;
+    node.slab_high = 0xffffffffu;
+    if (!has_slab(index)) return;
+    std::array<std::vector<std::uint32_t>, 4> leaves;
+    glm::dvec3 facing(0);
+    for (std::size_t i = 0; i < 4; ++i) {
+        collect_leaves(branches_[index].child[i], leaves[i]);
+        for (const std::uint32_t leaf : leaves[i]) facing += glm::dvec3(hulls_[leaf].facing);
+    }
+    const auto direction = slab_direction(facing);
+    if (!direction || glm::any(glm::greaterThan(glm::abs(node.origin), glm::vec3(kMostSlab)))) return;
+    const glm::dvec3 across = direction->across;
+    double start = 0, step = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double grid = std::ldexp(1.0, static_cast<int>(node.exponents >> (8 * axis) & 255u) - kExponentBias);
+        start += std::min(across[axis], 0.0) * kSteps * grid;
+        step += std::abs(across[axis]) * grid;
+    }
+    if (!(step < kMostSlab)) return;
+    node.exponents = (node.exponents & 0xffffffu) | direction->code << 24;
+    node.slab_high = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        Extent all{1e300, -1e300};
+        for (const std::uint32_t leaf : leaves[i]) {
+            const Extent extent = extent_along(hulls_[leaf], across, glm::dvec3(node.origin));
+            all = {std::min(all.low, extent.low), std::max(all.high, extent.high)};
+        }
+        const double low = std::floor((all.low - start) / step - kStepSlack);
+        const double high = std::ceil((all.high - start) / step + kStepSlack);
+        // What is not a number is everywhere here, too.
+        const auto from = static_cast<std::uint32_t>(low > 0 ? std::min(low, double{kSteps}) : 0.0);
+        const auto to = static_cast<std::uint32_t>(high < kSteps ? std::max(high, 0.0) : double{kSteps});
+        node.slab_low |= from << (8 * i);
+        node.slab_high |= to << (8 * i);
+    }
 }
 
 std::uint32_t WideBvh::deepest_stack() const {
@@ -138,7 +228,8 @@ std::uint32_t WideBvh::deepest_stack() const {
 
 std::uint64_t WideBvh::bytes() const {
     return branches_.size() * (sizeof(BvhBranch) + sizeof(Box) + sizeof(gpu::BvhNode)) +
-           boxes_.size() * (sizeof(Box) + sizeof(std::uint32_t));
+           boxes_.size() * (sizeof(Box) + sizeof(std::uint32_t)) + hulls_.size() * sizeof(SurfaceHull) +
+           leaf_count_.size() * sizeof(std::uint32_t);
 }
 
 }  // namespace relievo

@@ -84,15 +84,18 @@ RELIEVO_CONST int kInverseSize = 4096;
 RELIEVO_CONST uint kHeightsOfMap = 0u, kHeightsOfLattice = 1u, kHeightsOfTexels = 2u;
 
 // One node of the program's own tree of boxes (renderer/wide_bvh.h): up to four children with their boxes. Child i spans
-// origin + 2^exponent * (byte i of low, byte i of high) along each axis, and never less than what it holds.
+// origin + 2^exponent * (byte i of low, byte i of high) along each axis, and never less than what it holds. Some bound
+// their children along the slab's direction too (trace/node_boxes.glsl): steps of 1/255 of what the grid of 255 steps has
+// along it, from where that begins.
 struct BvhNode {
     vec3 origin;     // world
-    uint exponents;  // byte a: the exponent of axis a's steps, plus 127
+    uint exponents;  // byte a: the exponent of axis a's steps, plus 127; byte 3: the slab's direction
     uvec4 child;     // kBvhLeaf | primitive, or the index of a node, or kBvhNone: those come last
     uvec3 low;       // of each axis: a byte a child, in steps from origin
     uvec3 high;
-    uint spare0, spare1;
+    uint slab_low, slab_high;  // along the slab's direction, likewise
 };
+RELIEVO_CONST uint kBvhNoSlab = 192u;  // as a direction, and all above
 RELIEVO_CONST uint kBvhLeaf = 0x80000000u;
 RELIEVO_CONST uint kBvhNone = 0xffffffffu;
 RELIEVO_CONST uint kBvhStack = 48u;  // nodes that wait while others are walked: the builder's promise

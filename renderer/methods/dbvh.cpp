@@ -44,6 +44,7 @@ const Method kDbvh{
     "B-splines, and leaves above level 0, may reach beyond a base triangle's box, which cuts them. A ray that "
     "met nothing in 122880 boxes of a wide triangle ends at the next box.",
     GeometryKind::surface_bounds,
+    HitPlace::in_box,
     MapBounds::heights,
     kParameters,
     131072,

@@ -19,6 +19,7 @@ const Method kExact{
     "Triangles whose shell folds or leans far are searched by patches: right, but many times slower. What the ray touches "
     "within rounding may be met or passed.",
     GeometryKind::surface_bounds,
+    HitPlace::on_surface,
     MapBounds::planes,
     kParameters,
     131072,

@@ -28,6 +28,7 @@ const Method kMarch{
     "16384 steps a "
     "prism.",
     GeometryKind::surface_bounds,
+    HitPlace::in_prism,
     MapBounds::none,
     kParameters,
     16385,

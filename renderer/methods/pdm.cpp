@@ -27,6 +27,7 @@ const Method kPdm{
     "Samples at a fixed step: misses what is thinner. Projects along sum b_i N_i/(N_i.Ng), which differs between the "
     "two triangles of an edge on irregular meshes: gaps there, whatever the step. At most 16384 steps a prism.",
     GeometryKind::parallel_prisms,
+    HitPlace::in_prism,
     MapBounds::none,
     kParameters,
     16385,

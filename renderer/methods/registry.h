@@ -31,6 +31,13 @@ enum class GeometryKind {
                 // RELIEVO_TRIANGLES (shaders/trace/triangles.glsl); our own tree holds boxes around them
 };
 
+// Where what a method returns may lie: rays pass a triangle by that do not meet that.
+enum class HitPlace {
+    on_surface,  // on S, but for rounding
+    in_prism,    // between samples in the triangle's prism, widened by the shell margin where it is S that is sampled
+    in_box,      // anywhere in the triangle's box
+};
+
 // What bounds the map's heights over its cells.
 enum class MapBounds {
     none,
@@ -41,6 +48,7 @@ enum class MapBounds {
 struct Method {
     std::string_view name, title, paper, limits;
     GeometryKind geometry;
+    HitPlace hits;
     MapBounds map_bounds;
     std::span<const MethodParameter> parameters;  // at most 8, passed to the shader in this order
     std::uint32_t most_steps = 0;  // that a ray takes in one triangle (Layer::counts), whatever the ray

@@ -34,6 +34,7 @@ const Method kTessellated{
     "of them are built again when density, mesh or source change. An edit moves the touched ones and refits the "
     "tree.",
     GeometryKind::triangles,
+    HitPlace::in_box,
     MapBounds::none,
     kParameters,
     1,

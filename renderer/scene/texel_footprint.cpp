@@ -34,6 +34,10 @@ TexelTriangle texel_triangle(const std::array<glm::vec2, 3>& uvs, int width, int
     return triangle;
 }
 
+bool is_told_apart(const TexelTriangle& triangle) {
+    return triangle.reach < 1 + kGrowth + kGrowthPerTexel * kFarthest;
+}
+
 // Half planes of the sum, the triangle moved by -shift.
 void set_half_planes(const TexelTriangle& triangle, glm::dvec2 shift, FootprintPiece& piece) {
     const auto& t = triangle.t;
@@ -147,7 +151,7 @@ std::size_t footprint_pieces(const std::array<glm::vec2, 3>& uvs, int width, int
                              std::span<FootprintPiece, kMostFootprintPieces> pieces) {
     const FootprintPiece whole{{0, 0, width, height}};
     const TexelTriangle triangle = texel_triangle(uvs, width, height);
-    if (!(triangle.reach < 1 + kGrowth + kGrowthPerTexel * kFarthest)) {
+    if (!is_told_apart(triangle)) {
         pieces[0] = whole;
         return 1;
     }
@@ -174,6 +178,23 @@ std::size_t footprint_pieces(const std::array<glm::vec2, 3>& uvs, int width, int
         }
     }
     return count;
+}
+
+std::optional<UnwrappedFootprint> unwrapped_footprint(const std::array<glm::vec2, 3>& uvs, int width, int height) {
+    const TexelTriangle triangle = texel_triangle(uvs, width, height);
+    if (!is_told_apart(triangle)) return std::nullopt;
+    const glm::dvec2 first = glm::ceil(triangle.low - triangle.reach), last = glm::floor(triangle.high + triangle.reach);
+    UnwrappedFootprint footprint;
+    footprint.x = static_cast<int>(first.x);
+    footprint.y = static_cast<int>(first.y);
+    footprint.piece.box = {0, 0, static_cast<int>(last.x - first.x) + 1, static_cast<int>(last.y - first.y) + 1};
+    set_half_planes(triangle, first, footprint.piece);
+    TexelTriangle bare = triangle;
+    bare.reach = 0;
+    footprint.inside.box = footprint.piece.box;
+    set_half_planes(bare, first, footprint.inside);
+    for (std::size_t i = 0; i < 3; ++i) footprint.corners[i] = triangle.t[i] - first;
+    return footprint;
 }
 
 }  // namespace relievo

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <span>
 
 #include "renderer/scene/scene.h"
@@ -34,11 +35,21 @@ struct FootprintPiece {
     void row(int y, int& first, int& last) const;
 };
 
+// The texels that a triangle touches before they are wrapped or clamped into the map, counted from (x, y).
+struct UnwrappedFootprint {
+    int x = 0, y = 0;
+    FootprintPiece piece;               // its box begins at (0, 0) and holds one texel at least
+    FootprintPiece inside;              // the texels of it whose centres lie in the triangle itself
+    std::array<glm::dvec2, 3> corners;  // the triangle's, texels
+};
+
 constexpr std::size_t kMostFootprintPieces = 16;
 
 // Fills `pieces` and returns their number, at least 1. A footprint over more map periods than there is room
 // for is the whole map. Requires finite uvs and a size of at least 1 x 1.
 std::size_t footprint_pieces(const std::array<glm::vec2, 3>& uvs, int width, int height, Wrap wrap,
                              std::span<FootprintPiece, kMostFootprintPieces> pieces);
+// Nothing where texels that far out are not told apart. Requires finite uvs.
+std::optional<UnwrappedFootprint> unwrapped_footprint(const std::array<glm::vec2, 3>& uvs, int width, int height);
 
 }  // namespace relievo

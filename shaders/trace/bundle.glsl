@@ -47,7 +47,7 @@ Primitive load_primitive_together(uint id) {
 }
 
 struct BundleRay {
-    vec3 origin, inverse;
+    vec3 origin, direction, inverse;
     uvec3 near, far;  // of each axis: which of a node's six words of bounds (low, then high) the ray meets first, and last
     float start;      // nothing of the scene comes before, for any ray of the bundle
 };
@@ -120,11 +120,14 @@ void gather_children(vec4 t, uvec4 rays, out float least, out uint all) {
 // How many of a node's children some ray meets between t_min and its reach. Lane i & 3 of `children` is child i, of `keys` the
 // i-th nearest's key.
 uint meet_children(uint node, BundleRay r, float t_min, float reach, out uint keys, out uint children) {
-    // Words of gpu::BvhNode: 0 origin, 3 exponents, 4 children, 8 low, 11 high.
+    // Words of gpu::BvhNode: 0 origin, 3 exponents, 4 children, 8 low, 11 high, 14 the slab's low and high.
     uvec2 words = word_pair(frame.bvh, kLanes * node + lane());
     children = shared_word(words, 4u + (lane() & 3u));
     vec3 origin = uintBitsToFloat(uvec3(shared_word(words, 0u), shared_word(words, 1u), shared_word(words, 2u)));
-    vec3 a = steps_of(shared_word(words, 3u)) * r.inverse, b = (origin - r.origin) * r.inverse;
+    uint exponents = shared_word(words, 3u);
+    vec3 steps = steps_of(exponents), away = origin - r.origin, a = steps * r.inverse, b = away * r.inverse;
+    Slab slab = slab_of(exponents, steps, away, r.direction);
+    uint slab_near = slab.step < 0.0 ? 7u : 6u;
     vec4 bounds = bytes_of(shared_word(words, 8u + lane()));
     vec4 t;
     uvec4 rays;
@@ -133,8 +136,11 @@ uint meet_children(uint node, BundleRay r, float t_min, float reach, out uint ke
                           subgroupShuffle(bounds[i], r.near.z)) * a + b;
         vec3 leave = vec3(subgroupShuffle(bounds[i], r.far.x), subgroupShuffle(bounds[i], r.far.y),
                           subgroupShuffle(bounds[i], r.far.z)) * a + b;
-        float entry = latest(latest(enter.x, enter.y), latest(enter.z, t_min));
-        bool met = entry <= earliest(earliest(leave.x, leave.y), earliest(leave.z, reach)) * kLeaveSlack;
+        float slab_enter = subgroupShuffle(bounds[i], slab_near) * slab.step + slab.enter;
+        float slab_leave = subgroupShuffle(bounds[i], slab_near ^ 1u) * slab.step + slab.leave;
+        float entry = latest(latest(latest(enter.x, enter.y), latest(enter.z, t_min)), slab_enter);
+        float end = earliest(earliest(earliest(leave.x, leave.y), earliest(leave.z, reach)), slab_leave);
+        bool met = entry <= end * kLeaveSlack;
         t[i] = met ? entry : kNotMet;
         rays[i] = met ? 1u << lane() : 0u;
     }
@@ -169,6 +175,7 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
     best.b = vec2(0.0);
     BundleRay r;
     r.origin = origin;
+    r.direction = direction;
     r.inverse = inverse_of(direction);
     bvec3 back = lessThan(r.inverse, vec3(0.0));
     r.near = uvec3(0u, 1u, 2u) + mix(uvec3(0u), uvec3(3u), back);

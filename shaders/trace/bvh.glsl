@@ -5,14 +5,18 @@
 #include "node_boxes.glsl"
 
 // Where the ray enters each child's box; kNotMet for those that it does not meet before t_max.
-vec4 child_entries(BvhNode n, vec3 origin, vec3 inverse, float t_min, float t_max) {
-    vec3 a = steps_of(n.exponents) * inverse, b = (n.origin - origin) * inverse;
+vec4 child_entries(BvhNode n, vec3 origin, vec3 direction, vec3 inverse, float t_min, float t_max) {
+    vec3 steps = steps_of(n.exponents), away = n.origin - origin, a = steps * inverse, b = away * inverse;
+    Slab slab = slab_of(n.exponents, steps, away, direction);
+    bool turned = slab.step < 0.0;
     bvec3 back = lessThan(inverse, vec3(0.0));
     uvec3 first = mix(n.low, n.high, back), last = mix(n.high, n.low, back);
     vec4 enter = latest(latest(bytes_of(first.x) * a.x + b.x, bytes_of(first.y) * a.y + b.y),
                         latest(bytes_of(first.z) * a.z + b.z, vec4(t_min)));
+    enter = latest(enter, bytes_of(turned ? n.slab_high : n.slab_low) * slab.step + slab.enter);
     vec4 leave = earliest(earliest(bytes_of(last.x) * a.x + b.x, bytes_of(last.y) * a.y + b.y),
                           earliest(bytes_of(last.z) * a.z + b.z, vec4(t_max)));
+    leave = earliest(leave, bytes_of(turned ? n.slab_low : n.slab_high) * slab.step + slab.leave);
     bvec4 met = lessThanEqual(enter, leave * kLeaveSlack);
     return mix(vec4(kNotMet), enter, bvec4(uvec4(met) & uvec4(notEqual(n.child, uvec4(kBvhNone)))));
 }
@@ -61,7 +65,7 @@ TraceHit trace_ray(vec3 origin, vec3 direction, float t_min, float t_max, bool a
         if (next < kBvhLeaf) {
             do {
                 BvhNode n = load_node(next);
-                vec4 k = child_entries(n, origin, inverse, t_min, best.t);
+                vec4 k = child_entries(n, origin, direction, inverse, t_min, best.t);
                 uvec4 c = n.child;
                 order(k.x, k.y, c.x, c.y);
                 order(k.z, k.w, c.z, c.w);

@@ -10,6 +10,34 @@ vec3 steps_of(uint exponents) {
     return uintBitsToFloat(uvec3(exponents << 23, exponents << 15, exponents << 7) & 0x7f800000u);
 }
 
+// Across the surface that a node holds; multiples of 1/64, so that renderer/wide_bvh.cpp has the same.
+vec3 slab_direction(uint exponents) {
+    uint code = exponents >> 24;
+    float u = float(code & 7u) * 0.28125 - 0.984375, v = float((code >> 3) & 7u) * 0.28125 - 0.984375;
+    return code < 64u ? vec3(1.0, u, v) : code < 128u ? vec3(v, 1.0, u) : vec3(u, v, 1.0);
+}
+
+// A slab's bound of k steps is met at k step + enter, if it is the first, and at k step + leave, if it is the last.
+struct Slab {
+    float step, enter, leave;
+};
+
+// Along a fourth direction the ray's own is not a number as it stands but a sum, whose rounding nearly parallel rays make
+// large: a millionth of the distances pays for it. `steps` and `away` are those of the node's boxes, from the ray's origin.
+Slab slab_of(uint exponents, vec3 steps, vec3 away, vec3 direction) {
+    Slab s;
+    vec3 across = slab_direction(exponents);
+    float along = dot(across, direction), inverse = 1.0 / (abs(along) < 1e-20 ? 1e-20 : along);
+    float width = dot(abs(across), steps);
+    float start = dot(across, away) + 255.0 * dot(min(across, vec3(0.0)), steps);
+    float rounding = (dot(abs(across), abs(away)) + 255.0 * width) * abs(inverse) * 1e-6;
+    bool told = exponents < kBvhNoSlab << 24;
+    s.step = told ? width * inverse : 0.0;
+    s.enter = told ? start * inverse - rounding : -kNotMet;
+    s.leave = told ? start * inverse + rounding : 0.5 * kNotMet;
+    return s;
+}
+
 vec3 inverse_of(vec3 direction) { return 1.0 / mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20))); }
 
 // The least and the greatest of distances as integers, for which processors have one instruction: for floats it is three,

@@ -41,13 +41,15 @@ Primitive load_primitive(uint id) {
 }
 
 BvhNode load_node(uint index) {
-    uvec2 v[7];
-    for (uint i = 0u; i < 7u; ++i) v[i] = word_pair(frame.bvh, 8u * index + i);
+    uvec2 v[8];
+    for (uint i = 0u; i < 8u; ++i) v[i] = word_pair(frame.bvh, 8u * index + i);
     BvhNode n;
     n.origin = uintBitsToFloat(uvec3(v[0], v[1].x));
     n.exponents = v[1].y;
     n.child = uvec4(v[2], v[3]);
     n.low = uvec3(v[4], v[5].x);
     n.high = uvec3(v[5].y, v[6]);
+    n.slab_low = v[7].x;
+    n.slab_high = v[7].y;
     return n;
 }

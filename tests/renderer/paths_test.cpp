@@ -48,8 +48,14 @@ TEST_P(Paths, PickIsTheSameOnAll) {
 TEST_P(Paths, EditsAreSeenOnAll) {
     const Scene scene = lit_ball();
     TestMap map = make_map(128, 128, [](double, double) { return 0.4; });
-    const TestMap edited = bumps(128);
+    TestMap edited = map;
+    const TestMap from = bumps(128);
     const TexelRegion region{20, 30, 90, 100};
+    for (int y = region.y0; y < region.y1; ++y)
+        for (int x = region.x0; x < region.x1; ++x) {
+            const auto at = static_cast<std::size_t>(y * 128 + x);
+            edited.texels[at] = from.texels[at];
+        }
     const auto edit = [&](TracePath path) {
         Renderer r = make_renderer(scene, map, on(path, settings_of(scene)));
         const UploadStats stats = r.upload(0, edited.view(), std::span(&region, 1));

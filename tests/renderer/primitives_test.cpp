@@ -1,5 +1,5 @@
 // Prisms hold their part of the surface: no sampled point leaves the box or the height range.
-#include "renderer/primitives.h"
+#include "renderer/surface_hull.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <random>
 #include <string>
 
@@ -22,11 +23,6 @@ Box decoded(const gpu::BvhNode& node, int child) {
         box.high[axis] = node.origin[axis] + step * static_cast<float>(node.high[axis] >> (8 * child) & 255u);
     }
     return box;
-}
-
-bool holds(const Box& outer, const Box& inner) {
-    return glm::all(glm::lessThanEqual(outer.low, inner.low)) &&
-           glm::all(glm::greaterThanEqual(outer.high, inner.high));
 }
 
 // Every box is found once, within every box on the way to it; the walk's stack suffices.
@@ -138,7 +134,7 @@ TEST(WideBvh, WhatIsNotANumberIsEverywhere) {
 
 bool equal(const gpu::BvhNode& a, const gpu::BvhNode& b) {
     return a.origin == b.origin && a.exponents == b.exponents && a.child == b.child && a.low == b.low &&
-           a.high == b.high;
+           a.high == b.high && a.slab_low == b.slab_low && a.slab_high == b.slab_high;
 }
 
 TEST(WideBvh, RefittingAFewIsRefittingAll) {
@@ -164,6 +160,155 @@ TEST(WideBvh, RefittingAFewIsRefittingAll) {
         }
         expect_sound(few, boxes, "refitted");
     }
+}
+
+// Tiles of a bumpy ball, as small triangles of a displaced mesh are.
+std::vector<SurfaceHull> tiles(std::size_t count, float radius, glm::vec3 centre) {
+    std::mt19937 random(static_cast<unsigned>(count));
+    std::normal_distribution<float> normal(0, 1);
+    std::uniform_real_distribution<float> unit(0, 1);
+    std::vector<SurfaceHull> hulls;
+    const float size = radius * 2 / std::sqrt(static_cast<float>(count));
+    while (hulls.size() < count) {
+        const glm::vec3 out = glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));
+        const glm::vec3 facing = glm::normalize(out + 0.3f * glm::vec3(normal(random), normal(random), normal(random)));
+        const glm::vec3 a = glm::normalize(glm::cross(facing, glm::vec3(normal(random), normal(random), normal(random))));
+        const glm::vec3 b = glm::cross(facing, a), at = centre + radius * out;
+        SurfaceHull hull;
+        for (const float up : {-0.02f, 0.02f})
+            for (int i = 0; i < 3; ++i)
+                hull.points[hull.count++] =
+                    at + size * (a * (unit(random) - 0.5f) + b * (unit(random) - 0.5f) + facing * up);
+        hull.radius = 0.01f * size;
+        hull.facing = facing * size;
+        hulls.push_back(hull);
+    }
+    return hulls;
+}
+
+std::vector<Box> boxes_of(const std::vector<SurfaceHull>& hulls) {
+    std::vector<Box> boxes;
+    for (const SurfaceHull& hull : hulls) boxes.push_back(box_of(hull));
+    return boxes;
+}
+
+// shaders/trace/node_boxes.glsl in C++: the stretch of the ray within child i's slab.
+Extent slab_stretch(const gpu::BvhNode& node, int i, glm::vec3 origin, glm::vec3 direction) {
+    const std::uint32_t code = node.exponents >> 24;
+    if (code >= gpu::kBvhNoSlab) return {-1e38, 1e38};
+    const float u = static_cast<float>(code & 7u) * 0.28125f - 0.984375f;
+    const float v = static_cast<float>(code >> 3 & 7u) * 0.28125f - 0.984375f;
+    const glm::vec3 across = code < 64 ? glm::vec3(1, u, v) : code < 128 ? glm::vec3(v, 1, u) : glm::vec3(u, v, 1);
+    glm::vec3 steps;
+    for (int axis = 0; axis < 3; ++axis)
+        steps[axis] = std::ldexp(1.0f, static_cast<int>(node.exponents >> (8 * axis) & 255u) - 127);
+    const glm::vec3 away = node.origin - origin;
+    const float along = glm::dot(across, direction), inverse = 1 / (std::abs(along) < 1e-20f ? 1e-20f : along);
+    const float width = glm::dot(glm::abs(across), steps);
+    const float start = glm::dot(across, away) + 255 * glm::dot(glm::min(across, glm::vec3(0)), steps);
+    const float rounding = (glm::dot(glm::abs(across), glm::abs(away)) + 255 * width) * std::abs(inverse) * 1e-6f;
+    const float step = width * inverse, enter = start * inverse - rounding, leave = start * inverse + rounding;
+    const auto low = static_cast<float>(node.slab_low >> (8 * i) & 255u);
+    const auto high = static_cast<float>(node.slab_high >> (8 * i) & 255u);
+    return {(step < 0 ? high : low) * step + enter, (step < 0 ? low : high) * step + leave};
+}
+
+TEST(WideBvh, NoRayToAPointOfAHullPassesASlabOnTheWayBy) {
+    for (const float scale : {1e-4f, 1.0f, 1e4f}) {
+        for (const float away : {0.0f, 30.0f}) {
+            SCOPED_TRACE(std::to_string(scale) + " at " + std::to_string(away));
+            const glm::vec3 centre = scale * away * glm::vec3(1, -0.3f, 0.6f);
+            const auto hulls = tiles(3000, scale, centre);
+            const WideBvh bvh(boxes_of(hulls), hulls);
+            std::mt19937 random(2);
+            std::normal_distribution<float> normal(0, 1);
+            std::size_t with_slab = 0;
+            std::vector<std::pair<std::uint32_t, std::vector<std::pair<std::uint32_t, int>>>> waiting{{0, {}}};
+            while (!waiting.empty()) {
+                const auto [index, way] = waiting.back();
+                waiting.pop_back();
+                const gpu::BvhNode& node = bvh.nodes()[index];
+                with_slab += node.exponents >> 24 < gpu::kBvhNoSlab ? 1 : 0;
+                for (int i = 0; i < 4 && node.child[i] != gpu::kBvhNone; ++i) {
+                    auto on = way;
+                    on.emplace_back(index, i);
+                    if (node.child[i] < gpu::kBvhLeaf) {
+                        waiting.emplace_back(node.child[i], on);
+                        continue;
+                    }
+                    const SurfaceHull& hull = hulls[node.child[i] & ~gpu::kBvhLeaf];
+                    for (std::uint32_t k = 0; k < hull.count; ++k) {
+                        // Near and far; across the tile, and all but along it.
+                        const glm::vec3 to = hull.points[k];
+                        glm::vec3 from =
+                            centre + scale * (k % 2 == 0 ? 3.0f : 200.0f) * glm::vec3(normal(random), normal(random), normal(random));
+                        if (k >= 3) from = to + 4 * scale / glm::length(hull.points[1] - hull.points[0]) *
+                                                    (hull.points[1] - hull.points[0]);
+                        const glm::vec3 direction = glm::normalize(to - from);
+                        const double t = glm::dot(glm::dvec3(to) - glm::dvec3(from), glm::dvec3(direction));
+                        for (const auto& [n, c] : on) {
+                            const Extent stretch = slab_stretch(bvh.nodes()[n], c, from, direction);
+                            ASSERT_LE(stretch.low, t) << n;
+                            ASSERT_GE(stretch.high * 1.000001, t) << n;
+                        }
+                    }
+                }
+            }
+            EXPECT_GT(with_slab, bvh.nodes().size() / 2);
+        }
+    }
+}
+
+TEST(WideBvh, RefittingAFewHullsIsRefittingAll) {
+    auto hulls = tiles(5000, 1, glm::vec3(0));
+    auto boxes = boxes_of(hulls);
+    WideBvh few(boxes, hulls), all(boxes, hulls);
+    std::mt19937 random(1);
+    for (int round = 0; round < 10; ++round) {
+        for (int k = 0; k < 20; ++k) {
+            const auto which = static_cast<std::uint32_t>(random() % hulls.size());
+            // A hull that turns within its box changes slabs alone.
+            if (k % 2 == 0) for (glm::vec3& point : hulls[which].points) point *= 1.01f;
+            else hulls[which].facing = glm::vec3(hulls[which].facing.y, hulls[which].facing.z, hulls[which].facing.x);
+            if (k % 2 == 0) boxes[which] = box_of(hulls[which]);
+            few.set_box(which, boxes[which]);
+            few.set_hull(which, hulls[which]);
+        }
+        const auto before = std::vector(few.nodes().begin(), few.nodes().end());
+        const auto changed = few.refit();
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+            all.set_box(i, boxes[i]);
+            all.set_hull(i, hulls[i]);
+        }
+        all.refit();
+        for (std::uint32_t i = 0; i < before.size(); ++i) {
+            ASSERT_TRUE(equal(few.nodes()[i], all.nodes()[i])) << "node " << i;
+            if (!equal(before[i], few.nodes()[i])) {
+                ASSERT_TRUE(std::ranges::find(changed, i) != changed.end()) << "node " << i;
+            }
+        }
+        expect_sound(few, boxes, "refitted");
+    }
+}
+
+TEST(WideBvh, HullsThatAreNotNumbersOrTellNothingAreEverywhere) {
+    auto hulls = tiles(64, 1, glm::vec3(0));
+    const auto boxes = boxes_of(hulls);
+    hulls[3].points[1].y = std::nanf("");
+    hulls[5] = SurfaceHull{};
+    hulls[7].points[0].x = 1e35f;
+    const WideBvh bvh(boxes, hulls);
+    int met = 0;
+    for (const gpu::BvhNode& node : bvh.nodes()) {
+        for (int i = 0; i < 4 && node.child[i] != gpu::kBvhNone; ++i) {
+            const std::uint32_t leaf = node.child[i] & ~gpu::kBvhLeaf;
+            if (node.child[i] < gpu::kBvhLeaf || (leaf != 3 && leaf != 5 && leaf != 7)) continue;
+            EXPECT_TRUE(node.exponents >> 24 >= gpu::kBvhNoSlab || (node.slab_high >> (8 * i) & 255u) == 255u) << leaf;
+            EXPECT_TRUE(node.exponents >> 24 >= gpu::kBvhNoSlab || leaf == 7 || (node.slab_low >> (8 * i) & 255u) == 0u) << leaf;
+            ++met;
+        }
+    }
+    EXPECT_EQ(met, 3);
 }
 
 TEST(WideBvh, ARefitTouchesAncestorsOnly) {
