@@ -117,7 +117,9 @@ class Describer {
             : bounds == MapBounds::planes ? "all heights are made of an exemplar"
                                           : method_ + " bounds the map by its least and greatest heights");
         add("surface bounds", f.true_shell,
-            f.true_shell ? method_ + " meets the surface itself: boxes hold it where it leaves the parallel prism"
+            f.true_shell && f.hits == HitPlace::on_surface
+                ? method_ + " finds nothing beside the surface: boxes are as narrow as that"
+            : f.true_shell ? method_ + " meets the surface itself: boxes hold it where it leaves the parallel prism"
             : f.driver_triangles ? method_ + " meets micro-triangles, which the driver's structure holds itself"
             : f.micro_triangles ? method_ + " meets micro-triangles, and boxes hold each of them"
                          : method_ + " meets the surface of the parallel prism, and boxes hold no more");

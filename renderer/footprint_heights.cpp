@@ -115,6 +115,7 @@ class Sampler {
             const glm::dvec2 &from = t[i], &to = t[(i + 1) % 3], out = turn * glm::dvec2(to.y - from.y, from.x - to.x);
             const glm::dvec2 moved(out.x < 0 ? -by : by, out.y < 0 ? -by : by);
             add_line(from + moved, to + moved);
+            add_end(to + moved);
             const glm::dvec2 low = from - by, high = from + by;
             add_line(low, {high.x, low.y});
             add_line({high.x, low.y}, high);
@@ -123,34 +124,45 @@ class Sampler {
         }
     }
 
+    // But its end.
     void add_line(const glm::dvec2& from, const glm::dvec2& to) {
         const glm::dvec2 way = to - from;
         const bool aligned = way.x == 0 || way.y == 0;  // linear between texels
         for (double s = 0; s < 1;) {
             const double next = std::min({next_line(from.x, way.x, s), next_line(from.y, way.y, s), 1.0});
             const glm::dvec2 start = from + s * way, middle = from + 0.5 * (s + next) * way, end = from + next * way;
-            const glm::dvec2 cell = glm::floor(middle);
-            const int x = static_cast<int>(cell.x), y = static_cast<int>(cell.y);
-            const double h00 = texel(x, y), across = texel(x + 1, y) - h00, up = texel(x, y + 1) - h00;
-            const double twist = texel(x + 1, y + 1) - h00 - across - up;
-            const auto at = [&](const glm::dvec2& place) {
-                const glm::dvec2 f = place - cell;
-                return h00 + across * f.x + up * f.y + twist * f.x * f.y;
-            };
-            const double first = at(start), last = at(end);
+            const Cell cell = cell_at(middle);
+            const double first = cell.at(start);
             add(start.x, start.y, first);
-            if (!aligned) add(middle.x, middle.y, 2 * at(middle) - 0.5 * (first + last));
-            add(end.x, end.y, last);
+            if (!aligned) add(middle.x, middle.y, 2 * cell.at(middle) - 0.5 * (first + cell.at(end)));
             if (!(next > s)) break;
             s = next;
         }
+    }
+
+    void add_end(const glm::dvec2& place) { add(place.x, place.y, cell_at(place).at(place)); }
+
+    struct Cell {
+        glm::dvec2 corner;
+        double height, across, up, twist;
+        double at(const glm::dvec2& place) const {
+            const glm::dvec2 f = place - corner;
+            return height + across * f.x + up * f.y + twist * f.x * f.y;
+        }
+    };
+    Cell cell_at(const glm::dvec2& place) const {
+        const int x = static_cast<int>(place.x), y = static_cast<int>(place.y);  // places in the footprint are not negative
+        const double height = texel(x, y), across = texel(x + 1, y) - height, up = texel(x, y + 1) - height;
+        return {glm::dvec2(x, y), height, across, up, texel(x + 1, y + 1) - height - across - up};
     }
 
     // Where along the way the next line between texels lies.
     static double next_line(double from, double way, double s) {
         if (way == 0) return 1;
         const double at = from + s * way;
-        const double line = way > 0 ? std::floor(at + kOnLine) + 1 : std::ceil(at - kOnLine) - 1;
+        const double beside = way > 0 ? at + kOnLine : at - kOnLine;
+        const auto below = static_cast<double>(static_cast<int>(beside));  // std::floor is a call on plain x86-64
+        const double line = way > 0 ? below + 1 : below < beside ? below : below - 1;
         return (line - from) / way;
     }
 

@@ -36,13 +36,16 @@ std::array<dvec3, 3> corners_of(const gpu::Primitive& p) {
 
 UnitNormal unit_normal(const gpu::PrimitiveNormals& n) {
     const std::array<dvec3, 3> normals{n.n0, n.n1, n.n2};
-    // |N|^2 = sum b_i |N_i|^2 - sum b_i b_j |N_i - N_j|^2, the N_i are of unit length, and the b_i b_j sum to a third at most.
-    double apart = 0;
-    for (std::size_t i = 0; i < 3; ++i) apart = std::max(apart, glm::length(normals[i] - normals[(i + 1) % 3]));
-    const double square = 1 - apart * apart / 3 - kUnitRounding;
+    // |N|^2 = sum b_i |N_i|^2 - sum b_i b_j |N_i - N_j|^2, and the b_i b_j sum to a third at most. No N_i is longer than 1.
+    double apart = 0, least = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        apart = std::max(apart, glm::length(normals[i] - normals[(i + 1) % 3]));
+        least = std::min(least, glm::length(normals[i]));
+    }
+    const double square = least * least - apart * apart / 3 - kUnitRounding;
     if (!(square > 0)) return {0, 1};
     const double shortest = std::sqrt(square);
-    return {2 / (shortest + 1), (1 - shortest) / (1 + shortest)};
+    return {2 / (shortest + 1), (1 - shortest) / (1 + shortest) + kUnitRounding};
 }
 
 SurfaceHull prism_hull(const gpu::Primitive& p) {
