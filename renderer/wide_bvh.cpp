@@ -125,7 +125,8 @@ std::vector<std::uint32_t> WideBvh::refit() {
         while (!waiting.empty() && waiting.top() == node) waiting.pop();
         changed.push_back(node);
         const std::uint32_t parent = branches_[node].parent;
-        if ((fit(node) || (parent != gpu::kBvhNone && has_slab(parent))) && parent != gpu::kBvhNone) waiting.push(parent);
+        const bool moved = fit(node);
+        if (parent != gpu::kBvhNone && (moved || has_slab(parent))) waiting.push(parent);
     }
     return changed;
 }

@@ -137,6 +137,18 @@ bool equal(const gpu::BvhNode& a, const gpu::BvhNode& b) {
            a.high == b.high && a.slab_low == b.slab_low && a.slab_high == b.slab_high;
 }
 
+// As if all had been refitted; and the nodes that are not as before are told.
+void expect_refitted(const WideBvh& few, const std::vector<gpu::BvhNode>& before, const std::vector<std::uint32_t>& changed,
+                     const WideBvh& all, const std::vector<Box>& boxes) {
+    for (std::uint32_t i = 0; i < before.size(); ++i) {
+        ASSERT_TRUE(equal(few.nodes()[i], all.nodes()[i])) << "node " << i;
+        if (!equal(before[i], few.nodes()[i])) {
+            ASSERT_TRUE(std::ranges::find(changed, i) != changed.end()) << "node " << i;
+        }
+    }
+    expect_sound(few, boxes, "refitted");
+}
+
 TEST(WideBvh, RefittingAFewIsRefittingAll) {
     auto boxes = random_boxes(5000, 1, 0.02f, glm::vec3(0));
     WideBvh few(boxes), all(boxes);
@@ -152,13 +164,7 @@ TEST(WideBvh, RefittingAFewIsRefittingAll) {
         const auto changed = few.refit();
         for (std::uint32_t i = 0; i < boxes.size(); ++i) all.set_box(i, boxes[i]);
         all.refit();
-        for (std::uint32_t i = 0; i < before.size(); ++i) {
-            ASSERT_TRUE(equal(few.nodes()[i], all.nodes()[i])) << "node " << i;
-            if (!equal(before[i], few.nodes()[i])) {
-                ASSERT_TRUE(std::ranges::find(changed, i) != changed.end()) << "node " << i;
-            }
-        }
-        expect_sound(few, boxes, "refitted");
+        expect_refitted(few, before, changed, all, boxes);
     }
 }
 
@@ -281,13 +287,7 @@ TEST(WideBvh, RefittingAFewHullsIsRefittingAll) {
             all.set_hull(i, hulls[i]);
         }
         all.refit();
-        for (std::uint32_t i = 0; i < before.size(); ++i) {
-            ASSERT_TRUE(equal(few.nodes()[i], all.nodes()[i])) << "node " << i;
-            if (!equal(before[i], few.nodes()[i])) {
-                ASSERT_TRUE(std::ranges::find(changed, i) != changed.end()) << "node " << i;
-            }
-        }
-        expect_sound(few, boxes, "refitted");
+        expect_refitted(few, before, changed, all, boxes);
     }
 }
 

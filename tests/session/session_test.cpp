@@ -17,12 +17,8 @@ namespace {
 using test::headless;
 using test::sculpt;
 using test::TemporaryFolder;
+using test::texels;
 using test::write_scene;
-
-std::vector<std::uint16_t> texels(const Session& session) {
-    const auto span = session.map().texels();
-    return {span.begin(), span.end()};
-}
 
 SessionOptions recorded(const TemporaryFolder& folder) {
     SessionOptions options = headless();

@@ -108,4 +108,9 @@ void sculpt(Session& session, int row, int count, Tool tool) {
     session.end_stroke();
 }
 
+std::vector<std::uint16_t> texels(const Session& session) {
+    const auto span = session.map().texels();
+    return {span.begin(), span.end()};
+}
+
 }  // namespace relievo::test

@@ -1,9 +1,11 @@
 // A folder of its own for each test, and a small scene in it: a wavy sheet of 8 x 8 quads with a 64 x 64 map.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "brushes/brush.h"
 #include "editor/session/session.h"
@@ -34,6 +36,9 @@ std::filesystem::path write_scene(const std::filesystem::path& folder, bool new_
 int run_forked(const std::function<void()>& work);
 
 SessionOptions headless();
+
+// A copy of the map's, row-major.
+std::vector<std::uint16_t> texels(const Session& session);
 
 // One stroke of `count` dabs along the sheet; `row` from 0 to 7 moves it across.
 void sculpt(Session& session, int row, int count = 6, Tool tool = Tool::draw);
