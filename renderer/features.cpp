@@ -26,11 +26,8 @@ bool any_gloss(const Scene& scene) {
 
 // The device's own choice (DeviceInfo::best_path), in words.
 const char* why_best(TracePath path) {
-    switch (path) {
-        case TracePath::ray_query: return "the device has it, the fastest way on a GPU";
-        case TracePath::pipeline: return "the device has no ray query";
-        default: return "a tree of boxes for compute shaders: the fastest way on a processor, and the one without ray tracing";
-    }
+    if (path == TracePath::ray_query) return "the device has it, the fastest way on a GPU";
+    return "a tree of boxes for compute shaders: the fastest way on a processor, and on a GPU without ray query";
 }
 
 bool any_procedural(const Scene& scene) {

@@ -15,11 +15,12 @@ static_assert(sizeof(glm::vec4) == kPixelBytes && sizeof(glm::uvec4) == kPixelBy
 constexpr VkBufferUsageFlags kSums =
     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 
-vulkan::Buffer download(vulkan::Context& context, vulkan::Commands& commands, const vulkan::Buffer& from) {
-    vulkan::Buffer to(context, from.bytes(), VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::host);
+vulkan::Buffer download(vulkan::Context& context, vulkan::Commands& commands, const vulkan::Buffer& from,
+                        VkDeviceSize offset, VkDeviceSize bytes) {
+    vulkan::Buffer to(context, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::read_back);
     commands.run([&](VkCommandBuffer cmd) {
         vulkan::memory_barrier(cmd);
-        const VkBufferCopy copy{0, 0, from.bytes()};
+        const VkBufferCopy copy{offset, 0, bytes};
         vkCmdCopyBuffer(cmd, from.get(), to.get(), 1, &copy);
         vulkan::memory_barrier(cmd);
     });
@@ -43,8 +44,8 @@ Film::Film(vulkan::Context& context, vulkan::Commands& commands, int width, int 
     const auto pixels = static_cast<VkDeviceSize>(width) * static_cast<VkDeviceSize>(height);
     accumulation_ = vulkan::Buffer(context, pixels * sizeof(glm::vec4), kSums, vulkan::Access::device);
     counts_ = vulkan::Buffer(context, pixels * sizeof(std::uint32_t), kSums, vulkan::Access::device);
-    aov_ = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
-    ray_counts_ = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
+    aov_ = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::read_back);
+    ray_counts_ = vulkan::Buffer(context, 0, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::device);
     display_ = vulkan::Image(context, width, height, VK_FORMAT_R8G8B8A8_UNORM,
                              VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                  VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
@@ -84,7 +85,7 @@ void Film::make_aov(vulkan::Context& context) {
     const VkDeviceSize most = (properties.limits.maxStorageBufferRange - 64) / row;
     aov_rows_ = static_cast<int>(std::clamp<VkDeviceSize>(most, 1, static_cast<VkDeviceSize>(height_)));
     aov_ = vulkan::Buffer(context, static_cast<VkDeviceSize>(aov_rows_) * row + 64, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                          vulkan::Access::host);
+                          vulkan::Access::read_back);
     if (aov_rows_ < height_) kept_aov_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
 }
 
@@ -99,9 +100,9 @@ void Film::keep_aov(const PixelRect& window) {
 void Film::make_ray_counts(vulkan::Context& context) {
     if (has_ray_counts()) return;
     const auto pixels = static_cast<VkDeviceSize>(width_) * static_cast<VkDeviceSize>(height_);
-    ray_counts_ = vulkan::Buffer(context, std::max<VkDeviceSize>(pixels * sizeof(glm::uvec4), 80),
-                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                 vulkan::Access::host);
+    // Rays add to them, which wants them beside the device: they are copied to be read.
+    ray_counts_ = vulkan::Buffer(context, std::max<VkDeviceSize>(pixels * sizeof(glm::uvec4), 80), kSums,
+                                 vulkan::Access::device);
 }
 
 void Film::clear_ray_counts(VkCommandBuffer cmd, int row_begin, int row_end) const {
@@ -138,13 +139,30 @@ void Film::write_bindings(VkDevice device, VkDescriptorSet set) const {
 }
 
 std::vector<float> Film::beauty(vulkan::Context& context, vulkan::Commands& commands) const {
-    const vulkan::Buffer sums = download(context, commands, accumulation_), counts = download(context, commands, counts_);
+    const vulkan::Buffer sums = download(context, commands, accumulation_, 0, accumulation_.bytes()),
+                         counts = download(context, commands, counts_, 0, counts_.bytes());
     const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     std::vector<float> result(pixels * 4);
     for (std::size_t i = 0; i < pixels; ++i) {
         const std::uint32_t count = counts.as<std::uint32_t>()[i];
         for (std::size_t c = 0; c < 4; ++c)
             result[i * 4 + c] = count == 0 ? 0.0f : sums.as<float>()[i * 4 + c] / static_cast<float>(count);
+    }
+    return result;
+}
+
+std::vector<float> Film::ray_counts(vulkan::Context& context, vulkan::Commands& commands,
+                                    const PixelRect& window) const {
+    const auto width = static_cast<std::size_t>(width_), rows = static_cast<std::size_t>(window.y1 - window.y0);
+    const vulkan::Buffer counts =
+        download(context, commands, ray_counts_, static_cast<std::size_t>(window.y0) * width * sizeof(glm::uvec4),
+                 rows * width * sizeof(glm::uvec4));
+    std::vector<float> result;
+    for (std::size_t y = 0; y < rows; ++y) {
+        for (auto x = static_cast<std::size_t>(window.x0); x < static_cast<std::size_t>(window.x1); ++x) {
+            const glm::uvec4& c = counts.as<glm::uvec4>()[y * width + x];
+            for (int k = 0; k < 4; ++k) result.push_back(static_cast<float>(c[k]));
+        }
     }
     return result;
 }
@@ -161,8 +179,6 @@ std::vector<float> Film::layer(Layer layer, const PixelRect& window) const {
             case Layer::uv: result.insert(result.end(), {from[i].uv.x, from[i].uv.y}); return;
             case Layer::id: return result.push_back(from[i].id);
             case Layer::counts:
-                for (int k = 0; k < 4; ++k) result.push_back(static_cast<float>(ray_counts_.as<glm::uvec4>()[i][k]));
-                return;
             case Layer::beauty: return;  // not of this buffer
         }
     };
@@ -174,7 +190,7 @@ std::vector<float> Film::layer(Layer layer, const PixelRect& window) const {
 
 std::vector<std::uint8_t> Film::display_pixels(vulkan::Context& context, vulkan::Commands& commands) const {
     std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
-    const vulkan::Buffer to(context, pixels.size(), VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::host);
+    const vulkan::Buffer to(context, pixels.size(), VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::read_back);
     VkBufferImageCopy copy{};
     copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     copy.imageExtent = {static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_), 1};

@@ -36,7 +36,8 @@ class Film {
     void write_bindings(VkDevice device, VkDescriptorSet set) const;
 
     std::vector<float> beauty(vulkan::Context& context, vulkan::Commands& commands) const;
-    // From the buffers as last traced.
+    // From the buffers as last traced: Layer::counts, and any other layer but the beauty.
+    std::vector<float> ray_counts(vulkan::Context& context, vulkan::Commands& commands, const PixelRect& window) const;
     std::vector<float> layer(Layer layer, const PixelRect& window) const;
     std::vector<std::uint8_t> display_pixels(vulkan::Context& context, vulkan::Commands& commands) const;
 

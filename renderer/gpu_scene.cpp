@@ -63,42 +63,44 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
                    std::span<const HeightView> maps, std::span<const ColourView> colours, const Features& features,
                    const std::vector<Mesh>& meshes)
     : context_(context), commands_(commands), meets_surface_(features.true_shell), hits_(features.hits) {
-    std::vector<gpu::Primitive> primitives;
+    std::vector<gpu::Primitive> found;
     objects_.reserve(scene.objects.size());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         objects_.emplace_back();
         objects_.back().mesh = meshes[i];
-        add_object(scene.objects[i], maps[i], features, primitives);
+        add_object(scene.objects[i], maps[i], features, found);
         objects_.back().albedo = AlbedoImage(context, commands, colours[i], objects_.back().wrap == Wrap::clamp);
     }
-    if (primitives.empty()) throw std::invalid_argument(scene.path.string() + ": no triangle of the scene has an area");
+    if (found.empty()) throw std::invalid_argument(scene.path.string() + ": no triangle of the scene has an area");
     std::vector<Box> boxes;
-    boxes.reserve(primitives.size());
-    for (const gpu::Primitive& p : primitives) {
+    boxes.reserve(found.size());
+    for (const gpu::Primitive& p : found) {
         bound_closely(p);
         boxes.push_back(box_of(p));
     }
     const auto order = spatial_order(boxes);
 
-    primitives_ = vulkan::Buffer(context, primitives.size() * sizeof(gpu::Primitive), kStorage, vulkan::Access::host);
-    normals_ = vulkan::Buffer(context, primitives.size() * sizeof(gpu::PrimitiveNormals), kStorage, vulkan::Access::host);
+    primitives_.reserve(order.size());
+    normals_ = vulkan::Buffer(context, found.size() * sizeof(gpu::PrimitiveNormals), kStorage, vulkan::Access::host);
     std::vector<Box> sorted;
     std::vector<SurfaceHull> hulls;
     sorted.reserve(order.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
-        const gpu::Primitive& p = primitives[order[i]];
-        primitives_.as<gpu::Primitive>()[i] = p;
+        const gpu::Primitive& p = primitives_.emplace_back(found[order[i]]);
         normals_.as<gpu::PrimitiveNormals>()[i] = primitive_normals(objects_[p.object].mesh, p.face);
         objects_[p.object].primitive_of[p.face] = i;
         sorted.push_back(boxes[order[i]]);
         if (hits_ != HitPlace::in_box) hulls.push_back(hull_of(p));
     }
+    primitive_buffer_ =
+        vulkan::Buffer(context, primitives_.size() * sizeof(gpu::Primitive), kStorage, vulkan::Access::host);
+    std::ranges::copy(primitives_, primitive_buffer_.as<gpu::Primitive>());
     if (features.micro_triangles) {
         std::vector<MicroScene::Object> micro_objects;
         for (const Object& o : objects_) micro_objects.push_back(micro_object(o));
-        micro_.emplace(context, micro_objects, std::span(primitives_.as<gpu::Primitive>(), order.size()), features.density,
+        micro_.emplace(context, micro_objects, primitives_, features.density,
                        features.path);
-        if (!features.driver_triangles) sorted = micro_->boxes();
+        if (!features.driver_triangles) sorted = micro_->take_boxes();
     }
     tree_ = features.driver_triangles ? SceneTree(context, commands, micro_->triangles())
                                       : SceneTree(context, commands, sorted, hulls, features.path);
@@ -231,7 +233,7 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
         const bool wider = fresh.low < range.low || fresh.high > range.high;
         range = {std::min(range.low, fresh.low), std::max(range.high, fresh.high)};
         const bool moved = has_close_bounds(object) &&
-                           update_close_bounds(object.close[face], triangle_of(primitives_.as<gpu::Primitive>()[i]),
+                           update_close_bounds(object.close[face], triangle_of(primitives_[i]),
                                                surface_of(object));
         if (!micro_ && !wider && !moved) continue;
         update_primitive(object, face);
@@ -255,7 +257,7 @@ void GpuScene::set_displacement(std::size_t index, double amplitude, double midl
     for (std::uint32_t face = 0; face < object.primitive_of.size(); ++face) {
         if (object.primitive_of[face] == kNone) continue;
         object.ranges[face] = range_of(object, face);
-        bound_closely(primitives_.as<gpu::Primitive>()[object.primitive_of[face]]);
+        bound_closely(primitives_[object.primitive_of[face]]);
         update_primitive(object, face);
     }
     tree_.refit(commands_);
@@ -271,12 +273,12 @@ void GpuScene::set_material(std::size_t index, const Material& material) {
 void GpuScene::set_ray_offset(double fraction_of_radius) {
     for (std::size_t i = 0; i < objects_.size(); ++i) {
         gpu::ObjectData& data = object_data_.as<gpu::ObjectData>()[i];
-        data.ray_offset = static_cast<float>(fraction_of_radius) * data.radius;
+        data.ray_offset = static_cast<float>(fraction_of_radius) * objects_[i].mesh.sphere_radius;
     }
 }
 
 PrimitiveId GpuScene::primitive_id(std::uint32_t primitive) const {
-    const gpu::Primitive& p = primitives_.as<gpu::Primitive>()[primitive];
+    const gpu::Primitive& p = primitives_[primitive];
     return {p.object, p.face};
 }
 
@@ -285,7 +287,7 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
     VkWriteDescriptorSetAccelerationStructureKHR structure{
         VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR, nullptr, 1, &top};
     const std::array<VkDescriptorBufferInfo, 4> buffers{
-        VkDescriptorBufferInfo{primitives_.get(), 0, VK_WHOLE_SIZE},
+        VkDescriptorBufferInfo{primitive_buffer_.get(), 0, VK_WHOLE_SIZE},
         VkDescriptorBufferInfo{normals_.get(), 0, VK_WHOLE_SIZE},
         VkDescriptorBufferInfo{object_data_.get(), 0, VK_WHOLE_SIZE},
         VkDescriptorBufferInfo{procedural_.get(), 0, VK_WHOLE_SIZE}};
@@ -321,7 +323,7 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
 }
 
 std::uint64_t GpuScene::primitive_bytes() const {
-    return primitives_.bytes() + normals_.bytes() + object_data_.bytes();
+    return primitive_buffer_.bytes() + normals_.bytes() + object_data_.bytes();
 }
 
 std::uint64_t GpuScene::map_bytes() const {

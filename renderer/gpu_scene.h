@@ -40,7 +40,7 @@ class GpuScene {
     void set_ray_offset(double fraction_of_radius);
 
     PrimitiveId primitive_id(std::uint32_t primitive) const;
-    VkDeviceAddress primitive_address() const { return primitives_.address(); }
+    VkDeviceAddress primitive_address() const { return primitive_buffer_.address(); }
     VkDeviceAddress bvh_address() const { return tree_.nodes(); }  // 0 where an acceleration structure is used
 
     // Micro-triangles, where the method meets them.
@@ -117,7 +117,8 @@ class GpuScene {
     bool meets_surface_ = false;  // the method meets S itself, not the parallel prism's surface
     HitPlace hits_;               // of the method
     std::vector<Object> objects_;
-    vulkan::Buffer primitives_, normals_, object_data_, procedural_, staging_;
+    std::vector<gpu::Primitive> primitives_;  // as on the device, of whose memory reading can be slow
+    vulkan::Buffer primitive_buffer_, normals_, object_data_, procedural_, staging_;
     std::optional<MicroScene> micro_;
     SceneTree tree_;
 };

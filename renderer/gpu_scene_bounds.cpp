@@ -68,8 +68,9 @@ void GpuScene::bound_closely(const gpu::Primitive& p) {
 
 void GpuScene::update_primitive(const Object& object, std::uint32_t face) {
     const std::uint32_t i = object.primitive_of[face];
-    gpu::Primitive& p = primitives_.as<gpu::Primitive>()[i];
+    gpu::Primitive& p = primitives_[i];
     set_bounds(object, face, p);
+    primitive_buffer_.as<gpu::Primitive>()[i] = p;
     any_searched_ = any_searched_ || (p.flags & gpu::kPrimitiveSearched) != 0;
     if (micro_) micro_->move(i, p, micro_object(object).displacement, tree_);
     else {

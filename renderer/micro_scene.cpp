@@ -12,7 +12,7 @@ namespace {
 
 constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
-Box box_around(const glm::uvec3& corners, const gpu::MicroVertex* vertices) {
+Box box_around(const glm::uvec3& corners, std::span<const gpu::MicroVertex> vertices) {
     const glm::vec3 &a = vertices[corners.x].position, &b = vertices[corners.y].position,
                     &c = vertices[corners.z].position;
     const Box box{glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
@@ -39,22 +39,27 @@ MicroScene::MicroScene(const vulkan::Context& context, std::span<const Object> o
         const gpu::Primitive& p = primitives[i];
         const auto first = static_cast<std::uint32_t>(triangles.size());
         meshes_[p.object].connect(p.face, vertex_count_, i, triangles);
-        parts_.push_back({vertex_count_, first, static_cast<std::uint32_t>(triangles.size()) - first});
+        parts_.push_back({vertex_count_, first});
         vertex_count_ += meshes_[p.object].vertices_of(p.face);
     }
     const VkBufferUsageFlags usage = path == TracePath::bvh ? kStorage : kStorage | vulkan::kBuildInput;
-    vertices_ =
-        vulkan::Buffer(context, vertex_count_ * sizeof(gpu::MicroVertex), usage, vulkan::Access::host);
-    for (std::uint32_t i = 0; i < primitives.size(); ++i)
-        place(parts_[i], primitives[i], objects[primitives[i].object].displacement);
-    // Our own tree sorts for itself.
+    std::vector<gpu::MicroVertex> vertices(vertex_count_);
+    for (std::uint32_t i = 0; i < primitives.size(); ++i) {
+        const gpu::Primitive& p = primitives[i];
+        const MicroMesh& mesh = meshes_[p.object];
+        mesh.place(p.face, objects[p.object].displacement,
+                   std::span(vertices).subspan(parts_[i].first_vertex, mesh.vertices_of(p.face)));
+    }
+    vertices_ = vulkan::Buffer(context, vertex_count_ * sizeof(gpu::MicroVertex), usage, vulkan::Access::host);
+    std::ranges::copy(vertices, vertices_.as<gpu::MicroVertex>());
+    boxes_.reserve(triangles.size());
+    for (const MicroTriangle& t : triangles) boxes_.push_back(box_around(t.corners, vertices));
+    // Our own tree sorts for itself; the driver's has no use for boxes.
     std::vector<std::uint32_t> order(triangles.size());
     std::iota(order.begin(), order.end(), 0u);
     if (path != TracePath::bvh) {
-        std::vector<Box> boxes;
-        for (const MicroTriangle& t : triangles)
-            boxes.push_back(box_around(t.corners, vertices_.as<gpu::MicroVertex>()));
-        order = spatial_order(boxes);
+        order = spatial_order(boxes_);
+        boxes_ = {};
     }
     place_of_.resize(order.size());
     corners_ = vulkan::Buffer(context, triangles.size() * sizeof(glm::uvec3), usage, vulkan::Access::host);
@@ -67,38 +72,24 @@ MicroScene::MicroScene(const vulkan::Context& context, std::span<const Object> o
     }
 }
 
-void MicroScene::place(const Part& part, const gpu::Primitive& p,
-                       const MicroMesh::DisplacementAt& displacement) {
-    const MicroMesh& mesh = meshes_[p.object];
-    mesh.place(p.face, displacement,
-               {vertices_.as<gpu::MicroVertex>() + part.first_vertex, mesh.vertices_of(p.face)});
-}
-
-Box MicroScene::box_of(std::uint32_t triangle) const {
-    return box_around(corners_.as<glm::uvec3>()[triangle], vertices_.as<gpu::MicroVertex>());
-}
-
 vulkan::TriangleBuffers MicroScene::triangles() const {
     static_assert(offsetof(gpu::MicroVertex, position) == 0);
     return {vertices_.address(), vertex_count_, sizeof(gpu::MicroVertex), corners_.address(),
             static_cast<std::uint32_t>(place_of_.size())};
 }
 
-std::vector<Box> MicroScene::boxes() const {
-    std::vector<Box> boxes(place_of_.size());
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(i);
-    return boxes;
-}
-
 void MicroScene::move(std::uint32_t primitive, const gpu::Primitive& p,
                       const MicroMesh::DisplacementAt& displacement, SceneTree& tree) {
     const Part& part = parts_[primitive];
-    place(part, p, displacement);
+    const MicroMesh& mesh = meshes_[p.object];
+    std::vector<gpu::MicroVertex> vertices(mesh.vertices_of(p.face));
+    mesh.place(p.face, displacement, vertices);
+    std::ranges::copy(vertices, vertices_.as<gpu::MicroVertex>() + part.first_vertex);
     if (!tree.has_boxes()) return;
-    for (std::uint32_t i = 0; i < part.triangle_count; ++i) {
-        const std::uint32_t at = place_of_[part.first_triangle + i];
-        tree.set_box(at, box_of(at));
-    }
+    std::vector<MicroTriangle> triangles;
+    mesh.connect(p.face, 0, primitive, triangles);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+        tree.set_box(place_of_[part.first_triangle + i], box_around(triangles[i].corners, vertices));
 }
 
 }  // namespace relievo

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "renderer/micro_mesh.h"
@@ -24,8 +25,8 @@ class MicroScene {
     MicroScene(const vulkan::Context& context, std::span<const Object> objects,
                std::span<const gpu::Primitive> primitives, double density, TracePath path);
 
-    // What the tree is made of, one or the other: box i is that of micro-triangle i.
-    std::vector<Box> boxes() const;
+    // What the tree is made of: of our own boxes, to be taken once, box i that of micro-triangle i; else triangles.
+    std::vector<Box> take_boxes() { return std::move(boxes_); }
     vulkan::TriangleBuffers triangles() const;
     // Moves the micro-triangles of one primitive to where the heights are now, and their boxes, where the
     // tree has any.
@@ -40,15 +41,14 @@ class MicroScene {
 
   private:
     struct Part {  // of one primitive
-        std::uint32_t first_vertex = 0, first_triangle = 0, triangle_count = 0;
+        std::uint32_t first_vertex = 0, first_triangle = 0;
     };
-    void place(const Part& part, const gpu::Primitive& p, const MicroMesh::DisplacementAt& displacement);
-    Box box_of(std::uint32_t triangle) const;
 
     std::vector<MicroMesh> meshes_;
     std::vector<Part> parts_;
     std::vector<std::uint32_t> place_of_;  // of a triangle in its part's order: where it is stored
     std::uint32_t vertex_count_ = 0;
+    std::vector<Box> boxes_;
     vulkan::Buffer vertices_, corners_, primitives_;
 };
 

@@ -15,7 +15,7 @@ std::vector<float> Renderer::read_back(Layer layer) {
         s.aov_is_fresh = true;
         s.counts_are_fresh = s.counts_are_fresh || counting;
     }
-    return s.film.layer(layer, s.whole());
+    return traced_layer(layer, s.whole());
 }
 
 double Renderer::trace_layers(const PixelRect& window, bool with_counts) {
@@ -44,7 +44,9 @@ double Renderer::trace_layers(const PixelRect& window, bool with_counts) {
 }
 
 std::vector<float> Renderer::traced_layer(Layer layer, const PixelRect& window) const {
-    return state_->film.layer(layer, state_->inside(window));
+    State& s = *state_;
+    const PixelRect w = s.inside(window);
+    return layer == Layer::counts ? s.film.ray_counts(s.context, s.commands, w) : s.film.layer(layer, w);
 }
 
 double Renderer::trace_layers() {
@@ -67,7 +69,7 @@ std::vector<PickHit> Renderer::pick(std::span<const Ray> rays) {
         gpu::PushData push{};
         push.ray_count = static_cast<std::uint32_t>(count);
         s.run_unjittered(vulkan::Pass::pick, push, static_cast<int>(count), 1);
-        s.single_rays.take(s.mended, std::span(hits).subspan(first, count));
+        s.single_rays.take(s.mended, rays.subspan(first, count), std::span(hits).subspan(first, count));
     }
     return hits;
 }

@@ -13,14 +13,15 @@ namespace {
 constexpr std::size_t kNotesHead = 16;  // the number of notes, before them
 constexpr std::size_t kNotesBytes = kNotesHead + gpu::kMaxNotes * sizeof(gpu::Note);
 
-vulkan::Buffer make(vulkan::Context& context, std::size_t bytes) {
-    return vulkan::Buffer(context, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
+vulkan::Buffer make(vulkan::Context& context, std::size_t bytes, vulkan::Access access) {
+    return vulkan::Buffer(context, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, access);
 }
 
 }  // namespace
 
 SingleRays::SingleRays(vulkan::Context& context)
-    : rays_(make(context, 0)), results_(make(context, 0)), notes_(make(context, 0)) {}
+    : rays_(make(context, 0, vulkan::Access::host)), results_(make(context, 0, vulkan::Access::read_back)),
+      notes_(make(context, 0, vulkan::Access::read_back)) {}
 
 bool SingleRays::has_picks() const {
     return rays_.bytes() >= kBatch * sizeof(gpu::PickRay);
@@ -31,14 +32,14 @@ bool SingleRays::has_notes() const {
 
 bool SingleRays::make_picks(vulkan::Context& context) {
     if (has_picks()) return false;
-    rays_ = make(context, kBatch * sizeof(gpu::PickRay));
-    results_ = make(context, kBatch * sizeof(gpu::PickResult));
+    rays_ = make(context, kBatch * sizeof(gpu::PickRay), vulkan::Access::host);
+    results_ = make(context, kBatch * sizeof(gpu::PickResult), vulkan::Access::read_back);
     return true;
 }
 
 bool SingleRays::make_notes(vulkan::Context& context) {
     if (has_notes()) return false;
-    notes_ = make(context, kNotesBytes);
+    notes_ = make(context, kNotesBytes, vulkan::Access::read_back);
     return true;
 }
 
@@ -68,8 +69,7 @@ void SingleRays::put(std::span<const Ray> rays) {
     if (has_notes()) *notes_.as<std::uint32_t>() = 0;
 }
 
-void SingleRays::take(const MendedMeshes& mended, std::span<PickHit> hits) const {
-    const auto* rays = rays_.as<gpu::PickRay>();
+void SingleRays::take(const MendedMeshes& mended, std::span<const Ray> rays, std::span<PickHit> hits) const {
     const auto* from = results_.as<gpu::PickResult>();
     for (std::size_t i = 0; i < hits.size(); ++i) {
         PickHit& hit = hits[i];
@@ -82,7 +82,7 @@ void SingleRays::take(const MendedMeshes& mended, std::span<PickHit> hits) const
         hit.b2 = base.b2;
         hit.distance = from[i].t;
         hit.normal = from[i].normal;
-        hit.position = rays[i].origin + rays[i].direction * from[i].t;
+        hit.position = rays[i].origin + glm::normalize(rays[i].direction) * from[i].t;
     }
 }
 

@@ -27,8 +27,8 @@ class SingleRays {
 
     // Before the pass: at most kBatch rays; forgets the log.
     void put(std::span<const Ray> rays);
-    // After it, for as many rays.
-    void take(const MendedMeshes& mended, std::span<PickHit> hits) const;
+    // After it, for the same rays.
+    void take(const MendedMeshes& mended, std::span<const Ray> rays, std::span<PickHit> hits) const;
     TraceLog log(const GpuScene& scene) const;
 
     std::uint64_t pick_bytes() const { return rays_.bytes() + results_.bytes(); }

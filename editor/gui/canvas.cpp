@@ -84,7 +84,7 @@ void Canvas::record_clear(VkCommandBuffer cmd) const {
 
 DisplayPicture Canvas::read_back() {
     const auto pixels = static_cast<std::size_t>(image_.width()) * static_cast<std::size_t>(image_.height());
-    const vulkan::Buffer bytes(*context_, pixels * 4, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::host);
+    const vulkan::Buffer bytes(*context_, pixels * 4, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::read_back);
     VkBufferImageCopy copy{};
     copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     copy.imageExtent = {static_cast<std::uint32_t>(image_.width()),

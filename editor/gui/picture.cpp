@@ -91,7 +91,7 @@ std::vector<std::uint8_t> Picture::read(const Renderer& renderer, const PixelRec
     const auto height = static_cast<std::uint32_t>(window.y1 - window.y0);
     const std::size_t bytes = static_cast<std::size_t>(width) * height * 4;
     if (reading_.bytes() < bytes)
-        reading_ = vulkan::Buffer(*context_, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::host);
+        reading_ = vulkan::Buffer(*context_, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Access::read_back);
     VkBufferImageCopy download{};
     download.imageSubresource = kColor;
     download.imageOffset = {window.x0, window.y0, 0};

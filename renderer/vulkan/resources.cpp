@@ -27,8 +27,10 @@ MemoryHandle allocate(const Context& context, const VkMemoryRequirements& needs,
     VkMemoryAllocateFlagsInfo flags{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO, nullptr,
                                     VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT, 0};
     VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, addressable ? &flags : nullptr, needs.size, 0};
-    info.memoryTypeIndex = memory_type(context, needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT,
-                                       access == Access::host ? kHost : 0);
+    info.memoryTypeIndex = memory_type(
+        context, needs.memoryTypeBits,
+        access == Access::read_back ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT,
+        access == Access::device ? 0 : kHost);
     VkDeviceMemory memory = VK_NULL_HANDLE;
     check(vkAllocateMemory(context.device(), &info, nullptr, &memory), "allocating device memory");
     return {context.device(), memory};
@@ -52,7 +54,7 @@ Buffer::Buffer(const Context& context, VkDeviceSize bytes, VkBufferUsageFlags us
     check(vkBindBufferMemory(context.device(), buffer, memory_.get(), 0), "binding buffer memory");
     VkBufferDeviceAddressInfo address{VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO, nullptr, buffer};
     address_ = vkGetBufferDeviceAddress(context.device(), &address);
-    if (access == Access::host) {
+    if (access != Access::device) {
         check(vkMapMemory(context.device(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped_), "mapping a buffer");
     }
 }

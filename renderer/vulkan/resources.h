@@ -1,4 +1,4 @@
-// Buffers and images with their memory. Host-visible buffers stay mapped.
+// Buffers and images with their memory. Buffers that the host sees stay mapped.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,11 @@
 namespace relievo::vulkan {
 
 enum class Access {
-    host,    // mapped and coherent; on the device too where it offers that (all of a CPU's memory, resizable BAR)
-    device,  // device only
+    // Mapped and coherent; on the device too where it offers that (all of a CPU's memory, resizable BAR). Only to be
+    // written: of a GPU's own memory the processor reads some bytes a microsecond.
+    host,
+    read_back,  // mapped, coherent and cached: the device writes, the processor reads
+    device,     // device only
 };
 
 class Buffer {

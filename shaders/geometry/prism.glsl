@@ -71,6 +71,16 @@ FUNC bool clip_folded(Primitive p, vec2 x0, vec2 xd, INOUT(float) low, INOUT(flo
     return low <= high;
 }
 
+// The primitive with its prism higher by what rounding may take from a far ray. For methods that compare a sample before
+// the surface with one behind it: a flat triangle's prism is so thin that both could round to one side.
+FUNC Primitive higher_by_rounding(Primitive p, vec3 o) {
+    vec3 away = abs(o - p.origin);
+    float rounding = 3e-7f * max(max(away.x, away.y), away.z);
+    p.w_low -= rounding;
+    p.w_high += rounding;
+    return p;
+}
+
 // Clips the ray to the prism. `margin` widens the sides by that fraction of the base triangle's area, so that rays
 // along a shared side belong to both neighbours and none is lost to rounding.
 FUNC bool enter_prism(Primitive p, vec3 o, vec3 d, float t_min, float t_max, float margin, OUT(PrismRay) r) {

@@ -38,16 +38,17 @@ inline std::vector<float> beauty_of(const Scene& scene, const TestMap& map, cons
 }
 
 // Two programs that trace the same, one specialised and one not, or by two ways: on a CPU the same bits. A GPU's compiler
-// may turn a division or a normalisation into other instructions in each; then the same to rounding, but for single
+// may turn a division or a normalisation into other instructions in each; then the same to `rounding`, but for single
 // pixels at silhouettes.
-inline ::testing::AssertionResult same_image(const std::vector<float>& a, const std::vector<float>& b) {
+inline ::testing::AssertionResult same_image(const std::vector<float>& a, const std::vector<float>& b,
+                                             float rounding = 1e-4f) {
     if (a == b) return ::testing::AssertionSuccess();
     if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " and " << b.size() << " values";
     std::size_t bits = 0, far_apart = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (a[i] == b[i]) continue;
         ++bits;
-        if (!(std::abs(a[i] - b[i]) <= 1e-4f * (1 + std::abs(b[i])))) ++far_apart;
+        if (!(std::abs(a[i] - b[i]) <= rounding * (1 + std::abs(b[i])))) ++far_apart;
     }
     if (!device().info().is_cpu && far_apart * 100 <= a.size()) return ::testing::AssertionSuccess();
     return ::testing::AssertionFailure() << bits << " of " << a.size() << " values differ, " << far_apart

@@ -78,7 +78,7 @@ void bind(VkDescriptorSet set, std::uint32_t binding, const vulkan::Buffer& buff
 }
 
 vulkan::Buffer host_buffer(const void* data, std::size_t bytes) {
-    vulkan::Buffer buffer(device(), bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
+    vulkan::Buffer buffer(device(), bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::read_back);
     if (data != nullptr) std::memcpy(buffer.mapped(), data, bytes);
     return buffer;
 }

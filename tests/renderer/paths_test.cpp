@@ -97,7 +97,9 @@ TEST_P(Paths, SampleScenesAreEqualOnAll) {
             const auto images = layers(path);
             for (std::size_t i = 0; i < own.size(); ++i) {
                 if (!device().info().is_cpu) {
-                    EXPECT_TRUE(same_image(images[i], own[i])) << trace_path_words(path) << ", layer " << i;
+                    // Beside fur, a ten-thousandth of a texel turns a normal by as much as its slopes of hundreds say.
+                    const bool normals = i == 2 || i == 3;
+                    EXPECT_TRUE(same_image(images[i], own[i], normals ? 1e-3f : 1e-4f)) << trace_path_words(path) << ", layer " << i;
                     continue;
                 }
                 // Of two triangles met equally near, the pipeline keeps the one met last, the others the

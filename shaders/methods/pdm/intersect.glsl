@@ -32,11 +32,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     PrismRay r;
     hit.t = t_max;
     hit.b = vec2(0.0f, 0.0f);
-    // What rounding of a far ray may take from a flat triangle's range: both samples would lie on one side.
-    vec3 away = abs(o - p.origin);
-    float rounding = 3e-7f * max(max(away.x, away.y), away.z);
-    p.w_low -= rounding;
-    p.w_high += rounding;
+    p = higher_by_rounding(p, o);
     if (!enter_prism(p, o, d, t_min, kRayEnd, kSideMargin, r)) return false;
     float limit = t_max - r.t0;
     if (!(r.low <= limit)) return false;
