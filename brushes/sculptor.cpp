@@ -319,6 +319,15 @@ bool Sculptor::in_stroke() const {
     return state_->stroke.has_value();
 }
 
+void Sculptor::set_mask(HeightMap mask) {
+    state_->require_stroke(false, "set_mask");
+    if (mask.width() != state_->map.width() || mask.height() != state_->map.height())
+        throw std::invalid_argument("the mask must have as many texels as the displacement map");
+    state_->seams.copy_all(mask);
+    state_->mask = std::move(mask);
+    ++state_->mask_revision;
+}
+
 void Sculptor::clear_mask() {
     state_->require_stroke(false, "clear_mask");
     if (!state_->mask) return;

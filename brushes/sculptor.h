@@ -61,6 +61,8 @@ class Sculptor {
     std::vector<TexelRect> take_painted();
 
     // Steps of their own, like strokes. Throw std::logic_error in a stroke.
+    // Of the map's size; gutter texels follow their sources. No undo step: what was there before the first.
+    void set_mask(HeightMap mask);
     void clear_mask();   // frees everything
     void invert_mask();  // protects what was free, and the other way round
     // Softens its borders by a few texels, across islands. Stopped, it leaves all as it was.

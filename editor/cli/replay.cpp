@@ -24,7 +24,7 @@ namespace relievo {
 namespace {
 
 struct ReplayVerb {
-    std::string journal, map_out, colour_out, render, render_before, scene, map, colour_map;
+    std::string journal, map_out, colour_out, render, render_before, scene, map, colour_map, mask;
     bool force = false, timings = false, live = false;
     CommonOptions common;
     MethodOptions method;
@@ -78,6 +78,8 @@ SessionOptions options_of(const ReplayVerb& verb, const Journal& journal) {
         verb.live || !verb.render.empty() || !verb.render_before.empty() || needs_renderer(journal);
     options.map = verb.map;
     options.colour_map = verb.colour_map;
+    options.mask = verb.mask;
+    if (verb.mask.empty() && !journal.header.mask.empty()) options.mask = journal.resolve(journal.header.mask);
     if (journal.header.undo_budget)
         options.undo_budget = static_cast<std::size_t>(*journal.header.undo_budget);
     return options;
@@ -178,6 +180,8 @@ void add_replay(CLI::App& app, Command& command) {
     verb.add_option("--map", options->map, "Start from this map in place of the scene's")->type_name("MAP");
     verb.add_option("--colour-map", options->colour_map, "Start from this colour map in place of the scene's")
         ->type_name("MAP");
+    verb.add_option("--mask", options->mask, "Start with this mask in place of the one that the journal names")
+        ->type_name("MASK");
     verb.add_flag("--force", options->force,
                   "Go on though mesh, map or stamped images are not the recorded ones");
     verb.add_flag("--timings", options->timings, "Print a table of milliseconds by stage over all dabs");

@@ -88,19 +88,23 @@ void Desk::save() {
 void Desk::save_to(const std::filesystem::path& path, const std::function<void()>& done,
                    const std::function<void(const std::string&)>& failed) {
     attempt([&] {
-        const std::filesystem::path colours = session.colour_path_for(path);
+        const SaveWith with = session.save_with(path);
         work = LongWork{"Saving " + path.filename().string(),
-                        [this, path, colours](const Advance& advance) { session.save(path, colours, advance); },
-                        [this, path, colours, done] {
-                            tell_saved(path, colours);
+                        [this, path, with](const Advance& advance) { session.save(path, with, advance); },
+                        [this, path, with, done] {
+                            tell_saved(path, with);
                             if (done) done();
                         },
                         failed};
     });
 }
 
-void Desk::tell_saved(const std::filesystem::path& path, const std::filesystem::path& colours) {
-    toasts.info("Saved " + path.string() + (colours.empty() ? "" : " and " + colours.filename().string()));
+void Desk::tell_saved(const std::filesystem::path& path, const SaveWith& with) {
+    const std::filesystem::path& colours = with.colours;
+    std::string text = "Saved " + path.string();
+    if (!colours.empty()) text += (with.mask.empty() ? " and " : ", ") + colours.filename().string();
+    if (!with.mask.empty()) text += " and the mask";
+    toasts.info(text);
     const Scene& scene = session.scene();
     if (colours.empty() || colours == scene.objects.front().material.albedo_map) return;
     attempt([&] {

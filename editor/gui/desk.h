@@ -148,7 +148,7 @@ class Desk {
 
   private:
     void turn_light(const glm::dmat3& turn);
-    void tell_saved(const std::filesystem::path& path, const std::filesystem::path& colours);
+    void tell_saved(const std::filesystem::path& path, const SaveWith& with);
 };
 
 }  // namespace relievo::gui

@@ -181,7 +181,7 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
 void Dialogs::draw_unsaved(Desk& desk) {
     if (!begin_modal(kUnsavedTitle, 560)) return;
     const auto path = desk.session.map_path();
-    ImGui::TextWrapped("%s has strokes that are not saved.",
+    ImGui::TextWrapped("%s has changes that are not saved.",
                        path ? path->filename().string().c_str() : "The new map");
     note(unsaved_trouble_);
     const bool save = dialog_button("Save", true);

@@ -66,10 +66,12 @@ std::unique_ptr<Session> open_beside_window(const std::filesystem::path& scene, 
 std::unique_ptr<Session> open_session(const Departure& to, SessionOptions options, gui::Window& window,
                                       Session* before) {
     vulkan::Context* const context = before ? &before->context() : nullptr;
-    if (to.kind != Departure::Kind::restore) return open_beside_window(to.scene, options, window, context);
+    options.find_mask = to.kind != Departure::Kind::restore;
+    if (options.find_mask) return open_beside_window(to.scene, options, window, context);
     const AbandonedJournal& abandoned = *to.abandoned;
     options.map = abandoned.base_map;
     options.colour_map = abandoned.base_colours;
+    options.mask = abandoned.base_mask;
     auto session = open_beside_window(abandoned.scene, options, window, context);
     try {
         gui::WaitScreen shown(window, &session->context(), {}, "Restoring; if stopped, the next start offers it again");

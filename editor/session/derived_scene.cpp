@@ -13,6 +13,7 @@
 #include "brushes/atomic_file.h"
 #include "brushes/colour_file.h"
 #include "editor/session/memory_estimate.h"
+#include "editor/session/session_mask.h"
 #include "editor/session/text.h"
 #include "editor/session/user_folders.h"
 #include "renderer/scene/scene.h"
@@ -136,6 +137,7 @@ fs::path scene_with_new_map(const fs::path& scene, const NewMap& map, const fs::
     const auto flat = static_cast<std::uint16_t>(std::lround(displacement.midlevel * 65535));
     save_map(HeightMap(map.width, map.height, flat), map.path, map.format,
              {displacement.range_low, displacement.range_high});
+    save_mask(nullptr, mask_path_beside(map.path));  // of a map that lay there before
     return with_map(from, map.path);
 }
 

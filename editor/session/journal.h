@@ -27,6 +27,8 @@ struct JournalHeader {
     std::optional<std::uint64_t> undo_budget;   // bytes: replay must drop the same steps
     std::filesystem::path colour_map;           // that the session started from, as `scene`; empty: none
     std::optional<std::uint64_t> colour_hash;   // ColourMap::hash() of it
+    std::filesystem::path mask;                 // likewise
+    std::optional<std::uint64_t> mask_hash;     // HeightMap::hash() of it
     bool operator==(const JournalHeader&) const = default;
 };
 
@@ -103,12 +105,14 @@ struct RenderOp {  // writes `out`, relative to the journal's folder
 };
 // With `map`, the record of a save that took place: replay checks the hash and writes nothing, so that
 // replaying a session never overwrites an artist's files. Without, a script's order to write the map,
-// relative to the journal. `colour_map`: the colour map is saved there, too, and `colour` is its hash.
+// relative to the journal. `colour_map`: the colour map is saved there, too, and `colour` is its hash. `mask`: of the
+// mask that was saved beside the map; empty: it was not written, because it had not changed or in a script.
 struct SaveOp {
     std::filesystem::path path;
     std::optional<std::uint64_t> map;
     std::filesystem::path colour_map = {};
     std::optional<std::uint64_t> colour = std::nullopt;
+    std::optional<std::uint64_t> mask = std::nullopt;
     bool operator==(const SaveOp&) const = default;
 };
 using JournalOp = std::variant<StrokeOp, UndoOp, RedoOp, MaskOp, SetOp, BakeOp, ExpectOp, ExpectImageOp,

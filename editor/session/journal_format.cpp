@@ -185,6 +185,7 @@ struct Formatter {
         if (op.map) text += ",\"map\":\"" + hash_text(*op.map) + "\"";
         if (!op.colour_map.empty()) text += ",\"colour_map\":" + quoted(op.colour_map);
         if (op.colour) text += ",\"colour\":\"" + hash_text(*op.colour) + "\"";
+        if (op.mask) text += ",\"mask\":\"" + hash_text(*op.mask) + "\"";
         return text + "}";
     }
     std::string operator()(const ColourMapOp& op) const {
@@ -219,6 +220,8 @@ std::string format_header(const JournalHeader& header) {
     if (header.undo_budget) text += ",\"undo_budget\":" + shortest(*header.undo_budget);
     if (!header.colour_map.empty()) text += ",\"colour_map\":" + quoted(header.colour_map);
     if (header.colour_hash) text += ",\"colour_hash\":\"" + hash_text(*header.colour_hash) + "\"";
+    if (!header.mask.empty()) text += ",\"mask\":" + quoted(header.mask);
+    if (header.mask_hash) text += ",\"mask_hash\":\"" + hash_text(*header.mask_hash) + "\"";
     return text + "}";
 }
 

@@ -73,11 +73,12 @@ JournalOp read_op(const json& value, const std::string& where) {
         return RenderOp{fields.word("out"), read_spp(fields), fields.size("size", kMaxImage)};
     }
     if (name == "save") {
-        const Fields fields(value, where, {"op", "path", "map", "colour_map", "colour"});
+        const Fields fields(value, where, {"op", "path", "map", "colour_map", "colour", "mask"});
         SaveOp op{fields.word("path"), std::nullopt};
         if (fields.has("map")) op.map = fields.hash("map");
         if (fields.has("colour_map")) op.colour_map = fields.word("colour_map");
         if (fields.has("colour")) op.colour = fields.hash("colour");
+        if (fields.has("mask")) op.mask = fields.hash("mask");
         return op;
     }
     if (name == "colour_map") {
@@ -98,7 +99,7 @@ JournalHeader read_header(const json& value, const std::string& where) {
                                     R"(: not a journal: the first line must be {"relievo_journal":1,...})");
     const Fields fields(value, where,
                         {"relievo_journal", "version", "scene", "mesh_hash", "map_hash", "map_size",
-                         "midlevel", "amplitude", "undo_budget", "colour_map", "colour_hash"});
+                         "midlevel", "amplitude", "undo_budget", "colour_map", "colour_hash", "mask", "mask_hash"});
     if (fields.at("relievo_journal") != 1)
         fields.fail("relievo_journal", "is " + value["relievo_journal"].dump() + ", this program reads 1");
     JournalHeader header;
@@ -117,6 +118,8 @@ JournalHeader read_header(const json& value, const std::string& where) {
             static_cast<std::uint64_t>(fields.integer(fields.at("undo_budget"), "undo_budget", 0, INT64_MAX));
     if (fields.has("colour_map")) header.colour_map = fields.word("colour_map");
     if (fields.has("colour_hash")) header.colour_hash = fields.hash("colour_hash");
+    if (fields.has("mask")) header.mask = fields.word("mask");
+    if (fields.has("mask_hash")) header.mask_hash = fields.hash("mask_hash");
     return header;
 }
 

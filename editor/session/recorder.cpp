@@ -12,7 +12,7 @@ Recorder::Recorder(const JournalHeader& header, const fs::path& journal, bool re
     if (journal.empty()) return;
     JournalHeader relative = header;
     const fs::path folder = fs::absolute(journal).parent_path();
-    for (fs::path* written : {&relative.scene, &relative.colour_map})
+    for (fs::path* written : {&relative.scene, &relative.colour_map, &relative.mask})
         if (fs::path path = written->lexically_relative(folder); !path.empty()) *written = path;
     journal_ = std::make_unique<JournalWriter>(journal, relative);
 }
@@ -91,6 +91,7 @@ void Recorder::open_recovery() {
     try {
         keep_start(fresh->path(), BaseFile::map, start_map_);
         keep_start(fresh->path(), BaseFile::colours, start_colours_);
+        keep_start(fresh->path(), BaseFile::mask, start_mask_);
     } catch (...) {
         remove_recovery(fresh->path());
         throw;

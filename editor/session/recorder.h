@@ -27,9 +27,10 @@ class Recorder {
         std::filesystem::path path;
         bool of_scene = true;  // else it must be kept; the scene's own is kept where that costs nothing
     };
-    void set_start_files(const StartFile& map, const StartFile& colours) {
+    void set_start_files(const StartFile& map, const StartFile& colours, const StartFile& mask) {
         start_map_ = map;
         start_colours_ = colours;
+        start_mask_ = mask;
     }
 
     // Never throws for trouble with files: error() tells, and the session goes on. Where the recovery journal cannot be
@@ -61,7 +62,7 @@ class Recorder {
     JournalOp beside_journal(const JournalOp& op) const;
 
     JournalHeader header_;
-    StartFile start_map_, start_colours_;
+    StartFile start_map_, start_colours_, start_mask_;
     std::map<std::uint64_t, std::filesystem::path> kept_alphas_;  // beside the recovery journal, by hash
     std::vector<JournalOp> waiting_;  // for the recovery journal to be started
     bool recovery_wanted_;

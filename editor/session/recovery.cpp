@@ -18,11 +18,15 @@ namespace {
 
 constexpr const char* kJournalExtension = ".jsonl";
 
-// Kept files keep their extension (it names their format): NAME.base.png and NAME.colour.png beside
+// Kept files keep their extension (it names their format): NAME.base.png, NAME.colour.png and NAME.mask.png beside
 // NAME.jsonl.
 fs::path base_stem(const fs::path& journal, BaseFile which) {
     fs::path stem = journal;
-    return stem.replace_extension(which == BaseFile::map ? ".base" : ".colour");
+    switch (which) {
+        case BaseFile::map: return stem.replace_extension(".base");
+        case BaseFile::colours: return stem.replace_extension(".colour");
+        default: return stem.replace_extension(".mask");
+    }
 }
 
 fs::path base_path(const fs::path& journal, BaseFile which, const fs::path& kept) {
@@ -51,11 +55,13 @@ std::optional<AbandonedJournal> read_abandoned(const fs::path& path) {
                                journal.resolve(journal.header.scene),
                                base_of(path, BaseFile::map),
                                base_of(path, BaseFile::colours),
+                               base_of(path, BaseFile::mask),
                                0,
                                fs::last_write_time(path)};
+        if (found.base_mask.empty() && !journal.header.mask.empty()) found.base_mask = journal.resolve(journal.header.mask);
         for (const JournalEntry& entry : journal.entries) {
             if (std::holds_alternative<SaveOp>(entry.op)) found.edits = 0;
-            found.edits += std::holds_alternative<StrokeOp>(entry.op) ||
+            found.edits += std::holds_alternative<StrokeOp>(entry.op) || std::holds_alternative<MaskOp>(entry.op) ||
                            std::holds_alternative<BakeOp>(entry.op) ||
                            std::holds_alternative<UndoOp>(entry.op) ||
                            std::holds_alternative<RedoOp>(entry.op);
@@ -106,7 +112,7 @@ void remove_recovery(const fs::path& journal) {
     for (const auto& file : fs::directory_iterator(journal.parent_path(), ignored))
         if (file.path().filename().string().starts_with(alpha_prefix(journal))) images.push_back(file.path());
     for (const fs::path& image : images) fs::remove(image, ignored);
-    for (const BaseFile which : {BaseFile::map, BaseFile::colours})
+    for (const BaseFile which : {BaseFile::map, BaseFile::colours, BaseFile::mask})
         if (const fs::path base = base_of(journal, which); !base.empty()) fs::remove(base, ignored);
     fs::remove(journal, ignored);
 }

@@ -23,7 +23,8 @@ struct AbandonedJournal {
     std::filesystem::path
         base_map;           // the map as it was when the session began; empty: as the scene says
     std::filesystem::path base_colours;  // the colour map, likewise
-    std::size_t edits = 0;  // strokes, undos and redos since the last save
+    std::filesystem::path base_mask;     // likewise; empty: none
+    std::size_t edits = 0;  // strokes, undos and the like since the last save
     std::filesystem::file_time_type when;  // of the last line
 };
 
@@ -39,7 +40,7 @@ std::filesystem::path keep_alpha(const std::filesystem::path& journal, const Alp
 // Deletes a recovery journal and what was kept with it, after it was restored or declined.
 void remove_recovery(const std::filesystem::path& journal);
 
-enum class BaseFile { map, colours };
+enum class BaseFile { map, colours, mask };
 
 // Keeps the bytes of `file` beside the journal before a save replaces them: by a hard link where the file
 // system allows it, else by a copy. Does nothing when a base is kept already. Throws std::runtime_error when

@@ -7,6 +7,7 @@
 
 #include "editor/session/mesh_hash.h"
 #include "editor/session/render_output.h"
+#include "editor/session/session_mask.h"
 #include "editor/session/text.h"
 #include "editor/session/view_window.h"
 
@@ -50,6 +51,12 @@ void check_start(const Journal& journal, Session& session, bool force) {
         const std::uint64_t hash = colours ? colours->hash() : 0;
         require(colours && hash == *header.colour_hash, "colour_hash",
                 wanted + (colours ? ", this one is " + hash_text(hash) : ", this scene has none"));
+    }
+    if (header.mask_hash) {
+        const std::uint64_t hash = session.mask_hash();
+        require(hash == *header.mask_hash, "mask_hash",
+                "recorded with mask " + hash_text(*header.mask_hash) +
+                    (header.mask.empty() ? "" : " (" + header.mask.string() + ")") + ", this one is " + hash_text(hash));
     }
     const Displacement& displacement = session.scene().objects.front().displacement;
     if (header.amplitude && *header.amplitude != displacement.amplitude)
@@ -150,13 +157,7 @@ class Replayer {
             report_.failures.push_back(where() + "expect: the map should be " + hash_text(op.map) +
                                        ", it is " + hash_text(got));
         if (op.colour) expect_colours("expect", *op.colour);
-        if (!op.mask) return;
-        const HeightMap& map = session_.map();
-        const std::uint64_t mask =
-            session_.mask() ? session_.mask()->hash() : HeightMap(map.width(), map.height(), 0).hash();
-        if (mask != *op.mask)
-            report_.failures.push_back(where() + "expect: the mask should be " + hash_text(*op.mask) +
-                                       ", it is " + hash_text(mask));
+        if (op.mask) expect_mask("expect", *op.mask);
     }
 
     void operator()(const ExpectImageOp& op) {
@@ -192,11 +193,13 @@ class Replayer {
         if (!op.map) {
             if (!colour_path.empty() && !session_.colours())
                 fail("save: colour_map: there is no colour map to save");
-            return session_.save(path, colour_path);
+            return session_.save(path, {colour_path});
         }
         const std::uint64_t got = session_.map().hash();
         const bool right_colours = !op.colour || expect_colours("save", *op.colour);
-        if (got == *op.map) return right_colours ? session_.confirm_saved(path, colour_path) : void();
+        const bool right_mask = !op.mask || expect_mask("save", *op.mask);
+        const SaveWith with{colour_path, op.mask ? mask_path_beside(path) : fs::path()};
+        if (got == *op.map) return right_colours && right_mask ? session_.confirm_saved(path, with) : void();
         ++report_.expectations;
         report_.failures.push_back(where() + "save: the map saved then was " + hash_text(*op.map) +
                                    ", it is " + hash_text(got));
@@ -210,6 +213,14 @@ class Replayer {
         report_.failures.push_back(where() + what + ": the colour map should be " + hash_text(wanted) +
                                    ", it is " + got);
         return false;
+    }
+
+    bool expect_mask(const char* what, std::uint64_t wanted) {
+        const std::uint64_t got = session_.mask_hash();
+        if (got != wanted)
+            report_.failures.push_back(where() + what + ": the mask should be " + hash_text(wanted) + ", it is " +
+                                       hash_text(got));
+        return got == wanted;
     }
 
     std::string where() const { return journal_.path.string() + ":" + std::to_string(line_) + ": "; }

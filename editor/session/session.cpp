@@ -48,6 +48,9 @@ const HeightMap* Session::mask() const {
 std::uint64_t Session::mask_revision() const {
     return state_->sculptor->mask_revision();
 }
+std::uint64_t Session::mask_hash() const {
+    return mask() ? mask()->hash() : HeightMap(map().width(), map().height(), 0).hash();
+}
 const ColourMap* Session::colours() const {
     return state_->colours.there() ? &state_->colours.map() : nullptr;
 }
@@ -116,8 +119,7 @@ bool Session::undo() {
     const std::uint64_t before = surface_revision();
     s.apply([&] { return s.sculptor->undo(); },
             [&] {
-                s.steps.undo();
-                s.colour_steps.undo();
+                s.undo_step();
                 s.recorder->record(UndoOp{});
             });
     if (surface_revision() != before) s.restart_image();
@@ -131,8 +133,7 @@ bool Session::redo() {
     const std::uint64_t before = surface_revision();
     s.apply([&] { return s.sculptor->redo(); },
             [&] {
-                s.steps.redo();
-                s.colour_steps.redo();
+                s.redo_step();
                 s.recorder->record(RedoOp{});
             });
     if (surface_revision() != before) s.restart_image();
@@ -154,7 +155,7 @@ void Session::change_mask(MaskCommand command, const Advance& advance) {
             s.sculptor->blur_mask(advance);
             break;
     }
-    if (s.sculptor->steps_made() > steps_before) s.add_step(false, false);
+    if (s.sculptor->steps_made() > steps_before) s.add_step(false, true);
     s.recorder->record(MaskOp{command});
 }
 
@@ -186,7 +187,7 @@ void Session::bake(const ImageSize& size, const Advance& advance) {
     HeightMap map = relievo::bake(*s.source, size, advance);
     s.take_heights(baked_displacement(s.displacement(), {}),
                    LoadedMap{std::move(map), {}, MapFormat::tiff16, nullptr});
-    s.add_step(true, false);
+    s.add_step(false, false);
     s.recorder->record(BakeOp{size});
 }
 

@@ -36,6 +36,8 @@ struct SessionOptions {
     bool recovery = false;      // also record it in the user's state folder (recovery.h)
     std::filesystem::path map;  // start from this map instead of the scene's; save() still means the scene's
     std::filesystem::path colour_map;  // likewise, instead of the edited object's albedo map
+    std::filesystem::path mask;        // start with this mask; empty: with none
+    bool find_mask = false;            // start with the one that was saved beside the scene's map, if any
     std::string method;         // empty: the scene's, else the registry's default
     std::map<std::string, double> parameters;  // of the method, over the scene's
     int width = 0, height = 0;                 // pixels; 0: the scene's
@@ -45,6 +47,11 @@ struct SessionOptions {
 
 struct StageTimes {  // milliseconds of the last dab or frame
     double edit_ms = 0, upload_ms = 0, bounds_ms = 0, refit_ms = 0, trace_ms = 0;
+};
+
+// Where a save writes what is not the map. Empty: not at all, and that stays unsaved.
+struct SaveWith {
+    std::filesystem::path colours = {}, mask = {};
 };
 
 class Session {
@@ -71,6 +78,7 @@ class Session {
     // ever masked.
     const HeightMap* mask() const;
     std::uint64_t mask_revision() const;  // changes whenever mask() does
+    std::uint64_t mask_hash() const;      // HeightMap::hash() of it; where there is none, of one that is free all over
     // What strokes paint, of the edited object: its albedo map, or what make_colours() made. Null: there is
     // none.
     const ColourMap* colours() const;
@@ -142,14 +150,19 @@ class Session {
     void bake(const ImageSize& size, const Advance& advance = {});
     // Writes the map. The extension names the format; metadata and exact values of the file that was loaded
     // are kept where the format is the same. std::invalid_argument when it cannot be written (the old file
-    // stays whole), and while the heights are procedural. `colour_path`: where the colour map is written, too,
-    // first; empty: not at all, and it stays unsaved. `advance` may stop this and the two exports below.
-    void save(const std::filesystem::path& path, const std::filesystem::path& colour_path, const Advance& advance = {});
-    void save(const std::filesystem::path& path) { save(path, colour_path_for(path)); }
+    // stays whole), and while the heights are procedural. Colour map and mask are written first; a mask that
+    // protects nothing has no file, and one that is there goes. `advance` may stop this and the two exports below.
+    void save(const std::filesystem::path& path, const SaveWith& with, const Advance& advance = {});
+    void save(const std::filesystem::path& path) { save(path, save_with(path)); }
+    // All that is to be saved with the map.
+    SaveWith save_with(const std::filesystem::path& map) const { return {colour_path_for(map), mask_path_for(map)}; }
     // Where save() writes the colour map when it writes the map to `map`: its own file where the map goes to
     // its own, else a new NAME_colour.png (or the ending that it has) beside it. Empty where there is nothing
     // to write: no colour map, or one that its file holds already.
     std::filesystem::path colour_path_for(const std::filesystem::path& map) const;
+    // The same of the mask: beside the map (session_mask.h), where opening the scene finds it. Empty where the file
+    // there, or that there is none, says what the mask is.
+    std::filesystem::path mask_path_for(const std::filesystem::path& map) const;
     // Writes the map as another file, with the values of `range` where the format holds floats; what save()
     // would write, and whether that is due, stays. std::invalid_argument as save().
     void export_map(const std::filesystem::path& path, MapFormat format, MapRange range,
@@ -159,7 +172,7 @@ class Session {
     // Undoes or redoes back to what was last saved or loaded. False when those steps were dropped for memory.
     bool revert(const Advance& advance = {});
 
-    bool unsaved() const;  // the map or the colour map differs from what was last saved or loaded
+    bool unsaved() const;  // map, colour map or mask differs from what was last saved or loaded
     bool can_undo() const;
     bool can_redo() const;
     std::size_t undo_bytes() const;
@@ -169,9 +182,9 @@ class Session {
     std::optional<std::filesystem::path> colour_path() const;
     std::optional<std::filesystem::path> map_path() const;  // where save() last wrote or the map came from
 
-    // Map and colour map (where `colour_path` is not empty) as they are now are what the files hold:
-    // replaying the record of a save says so.
-    void confirm_saved(const std::filesystem::path& path, const std::filesystem::path& colour_path = {});
+    // The map and what `with` names, as they are now, are what the files hold: replaying the record of a save says
+    // so.
+    void confirm_saved(const std::filesystem::path& path, const SaveWith& with = {});
     // The user chose to lose what is unsaved: the recovery journal goes.
     void discard_recovery();
     // Why a journal could not be written (a full disk, say); empty while all is well. The session goes on

@@ -6,37 +6,50 @@
 
 namespace relievo {
 
-void Session::save(const fs::path& path, const fs::path& colour_path, const Advance& advance) {
+void Session::save(const fs::path& path, const SaveWith& with, const Advance& advance) {
     State& s = *state_;
     s.require_no_stroke();
     require_map("save");
     const MapFormat named = format_of(path);
     const bool both_exr = named == MapFormat::exr_float && s.file.format == MapFormat::exr_half;
     const MapFormat format = both_exr ? MapFormat::exr_half : named;
-    const double share = colour_path.empty() ? 0 : 0.5;  // of the colours
+    const double begin = with.colours.empty() ? 0 : 0.5;  // of the mask's share
+    const double rest = with.mask.empty() ? begin : begin + (1 - begin) / 2;
     s.replace_file(path, [&] {
-        if (!colour_path.empty()) {
+        if (!with.colours.empty()) {
             if (!s.colours.there())
-                throw std::invalid_argument(colour_path.string() + ": there is no colour map to save");
-            check_colour_path(colour_path);
-            s.replace_file(colour_path, [&] { s.colours.save(colour_path, within(advance, 0, share)); });
+                throw std::invalid_argument(with.colours.string() + ": there is no colour map to save");
+            check_colour_path(with.colours);
+            s.replace_file(with.colours, [&] { s.colours.save(with.colours, within(advance, 0, begin)); });
         }
+        if (!with.mask.empty())
+            s.replace_file(with.mask, [&] { save_mask(mask(), with.mask, within(advance, begin, rest)); });
         const MapOrigin* origin = format == s.file.format ? s.file.origin.get() : nullptr;
-        save_map(s.file.map, path, format, s.file.range, origin, within(advance, share, 1));
+        save_map(s.file.map, path, format, s.file.range, origin, within(advance, rest, 1));
     });
-    confirm_saved(path, colour_path);
+    confirm_saved(path, with);
+}
+
+bool Session::State::is_own_map(const fs::path& map) const {
+    std::error_code ignored;
+    return map_path && (fs::absolute(map).lexically_normal() == map_path->lexically_normal() ||
+                        fs::equivalent(map, *map_path, ignored));
 }
 
 fs::path Session::colour_path_for(const fs::path& map) const {
     const State& s = *state_;
     if (!s.colours.there()) return {};
-    std::error_code ignored;
-    const bool own_file =
-        s.map_path && (fs::absolute(map).lexically_normal() == s.map_path->lexically_normal() ||
-                       fs::equivalent(map, *s.map_path, ignored));
     const fs::path& file = s.colours.file();
-    if (!own_file || file.empty()) return s.colours.path_beside(map);
+    if (!s.is_own_map(map) || file.empty()) return s.colours.path_beside(map);
     return s.colour_steps.unsaved() ? file : fs::path();
+}
+
+fs::path Session::mask_path_for(const fs::path& map) const {
+    const State& s = *state_;
+    const fs::path beside = mask_path_beside(map);
+    if (s.is_own_map(map)) return s.mask_steps.unsaved() ? beside : fs::path();
+    std::error_code ignored;
+    return (mask() && protects_anything(*mask())) || fs::exists(beside, ignored) ? beside : fs::path();
 }
 
 void Session::export_map(const fs::path& path, MapFormat format, MapRange range, const Advance& advance) const {
@@ -54,18 +67,22 @@ void Session::export_colours(const fs::path& path, const Advance& advance) const
     state_->replace_file(path, [&] { state_->colours.save(path, advance); });
 }
 
-void Session::confirm_saved(const fs::path& path, const fs::path& colour_path) {
+void Session::confirm_saved(const fs::path& path, const SaveWith& with) {
     State& s = *state_;
     s.map_path = fs::absolute(path);
     s.sculptor->mark_saved();
     SaveOp op{*s.map_path, s.file.map.hash()};
-    if (!colour_path.empty() && s.colours.there()) {
-        s.colours.set_file(fs::absolute(colour_path));
+    if (!with.colours.empty() && s.colours.there()) {
+        s.colours.set_file(fs::absolute(with.colours));
         s.colour_steps.mark_saved();
         op.colour_map = s.colours.file();
         op.colour = s.colours.map().hash();
     }
-    if (!s.colour_steps.unsaved()) s.steps.mark_saved();
+    if (!with.mask.empty()) {
+        s.mask_steps.mark_saved();
+        op.mask = mask_hash();
+    }
+    if (!s.colour_steps.unsaved() && !s.mask_steps.unsaved()) s.steps.mark_saved();
     s.recorder->record(op);
 }
 

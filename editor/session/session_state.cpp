@@ -7,7 +7,7 @@
 namespace relievo {
 namespace {
 
-constexpr double kMeshRead = 0.1, kMapRead = 0.6, kSurfaceMade = 0.7;  // parts of the time that opening takes, about
+constexpr double kMeshRead = 0.1, kMapRead = 0.6, kSurfaceMade = 0.7, kMaskRead = 0.8;  // parts of the time that opening takes, about
 
 // Empty where the heights are a map. Throws where the mesh reaches too far over the exemplar.
 std::shared_ptr<const ProceduralSource> source_of(const Mesh& mesh, const Displacement& displacement,
@@ -50,11 +50,14 @@ Session::State::State(const fs::path& scene_file, const SessionOptions& given)
     if (colours.there()) header.colour_map = fs::absolute(colours.start_file());
     if (recording && colours.there()) header.colour_hash = colours.map().hash();
     opened(kSurfaceMade);
+    load_start_mask();
+    if (!start_mask.empty()) header.mask = fs::absolute(start_mask);
+    if (recording && sculptor->mask()) header.mask_hash = sculptor->mask()->hash();
     if (options.with_renderer) open_view();
     options.opening = nullptr;  // it is the opener's
     recorder = std::make_unique<Recorder>(header, options.journal, options.recovery);
     recorder->set_start_files({start_map, options.map.empty()},
-                              {colours.start_file(), options.colour_map.empty()});
+                              {colours.start_file(), options.colour_map.empty()}, {start_mask, options.mask.empty()});
 }
 
 void Session::State::open_view() {
@@ -96,6 +99,23 @@ void Session::State::make_surface() {
     surface->set_world_from_object(rebased * scene.objects.front().transform);
     sculptor.emplace(file.map, *surface, options.undo_budget);
     can_paint = false;
+}
+
+void Session::State::load_start_mask() {
+    const auto load = [&](const fs::path& path) {
+        sculptor->set_mask(load_mask(path, file.map.width(), file.map.height(),
+                                     within(options.opening, kSurfaceMade, kMaskRead)));
+        start_mask = path;
+    };
+    if (!options.mask.empty()) return load(options.mask);
+    const fs::path beside = mask_path_beside(displacement().map);
+    std::error_code ignored;
+    if (!options.find_mask || displacement().map.empty() || !options.map.empty() || !fs::exists(beside, ignored)) return;
+    try {
+        load(beside);
+    } catch (const std::invalid_argument& trouble) {  // the map is the work, and opens without
+        scene.warnings.push_back(std::string(trouble.what()) + "; opened without it");
+    }
 }
 
 void Session::State::allow_painting() {

@@ -17,6 +17,7 @@
 #include "editor/session/scene_input.h"
 #include "editor/session/session.h"
 #include "editor/session/session_colours.h"
+#include "editor/session/session_mask.h"
 #include "editor/session/session_view.h"
 #include "editor/session/steps.h"
 #include "editor/session/surface/clone_source.h"
@@ -42,6 +43,8 @@ struct Session::State {
     void take_heights(const Displacement& wanted, std::optional<LoadedMap> fresh);
     // What brushes work on, over file.map.
     void make_surface();
+    // The mask that the session starts with, if any.
+    void load_start_mask();
     // Hands the colour map to the sculptor, once. Throws where it has another size than the map.
     void allow_painting();
     // The finder of the copies of a stroke under way.
@@ -77,9 +80,10 @@ struct Session::State {
         for (const auto& [which, start] : start_files())
             if (is_file(start, path)) recorder->base_replaced(which);
     }
-    std::array<std::pair<BaseFile, fs::path>, 2> start_files() const {
-        return {{{BaseFile::map, start_map}, {BaseFile::colours, colours.start_file()}}};
+    std::array<std::pair<BaseFile, fs::path>, 3> start_files() const {
+        return {{{BaseFile::map, start_map}, {BaseFile::colours, colours.start_file()}, {BaseFile::mask, start_mask}}};
     }
+    bool is_own_map(const fs::path& map) const;  // where save() last wrote it or it came from
     static bool is_file(const fs::path& file, const fs::path& other) {
         std::error_code ignored;
         return !file.empty() && fs::equivalent(file, other, ignored);
@@ -90,9 +94,17 @@ struct Session::State {
         return point.face < surface->face_count() && point.b1 <= Dab::kBarycentricOne &&
                point.b2 <= Dab::kBarycentricOne - point.b1;
     }
-    void add_step(bool changes_map, bool changes_colours) {
-        steps.add(changes_map);
+    // Of procedural heights nothing can be saved, a mask of the exemplar no more than the rest.
+    void add_step(bool changes_colours, bool changes_mask) {
+        steps.add(!changes_mask || !source);
         colour_steps.add(changes_colours);
+        mask_steps.add(changes_mask && !source);
+    }
+    void undo_step() {
+        for (Steps* each : {&steps, &colour_steps, &mask_steps}) each->undo();
+    }
+    void redo_step() {
+        for (Steps* each : {&steps, &colour_steps, &mask_steps}) each->redo();
     }
 
     void opened(double part) const { tell(options.opening, part, "Opening was stopped"); }  // by the constructor
@@ -103,7 +115,8 @@ struct Session::State {
 
     SessionOptions options;
     Scene scene;
-    fs::path start_map;  // empty: a new flat map
+    fs::path start_map;   // empty: a new flat map
+    fs::path start_mask;  // empty: none
     LoadedMap file;
     std::vector<LoadedMap> others;  // of the objects that are not edited, where there is a renderer
     std::vector<std::shared_ptr<const ProceduralSource>> other_sources;
@@ -118,7 +131,7 @@ struct Session::State {
     JournalHeader header;
     std::unique_ptr<Recorder> recorder;
     std::optional<fs::path> map_path;
-    Steps steps, colour_steps;  // of both maps, and of the colours alone
+    Steps steps, colour_steps, mask_steps;  // of all, of the colours and of the mask alone
     Brush brush;
     StrokeSettings stroke_settings;
     std::shared_ptr<const Alpha> alpha;  // of stamp

@@ -1,4 +1,4 @@
-// Which state of the map is shown and which was saved: every stroke makes a state of its own.
+// Which state of map, colours or mask, or of all, is there and which was saved: every step makes one of its own.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@ namespace relievo {
 
 class Steps {
   public:
-    // `changes_map`: false for a step of the mask, which no save holds.
-    void add(bool changes_map = true) {
-        done_.push_back(changes_map ? ++newest_ : current());
+    // `changes_it`: false for a step of something else.
+    void add(bool changes_it = true) {
+        done_.push_back(changes_it ? ++newest_ : current());
         undone_.clear();
     }
     void undo() { move_last(done_, undone_); }
@@ -40,7 +40,7 @@ class Steps {
         from.pop_back();
     }
 
-    std::vector<std::uint64_t> done_, undone_;  // states by number; 0 is the map as it was loaded
+    std::vector<std::uint64_t> done_, undone_;  // states by number; 0 is what was loaded
     std::uint64_t newest_ = 0, saved_ = 0;
 };
 

@@ -220,6 +220,30 @@ def mask_is_shown_darker_and_in_no_journal(case):
     editor.kill()
 
 
+def a_mask_is_asked_for_saved_and_there_again(case):
+    mask = case.map + ".mask.png"
+    editor = case.open(case.journal)
+    case.desktop.key("shift+6")
+    assert case.stroke(case.journal)["brush"]["tool"] == "mask"
+    case.desktop.key("ctrl+q")
+    editor.screenshot()  # it asks
+    case.desktop.key("Return")  # Save
+    editor.ended()
+    assert os.path.exists(mask) and not case.recovery_journals()
+    second = os.path.join(case.folder, "second.jsonl")
+    editor = case.open(second)
+    case.desktop.key("shift+6")
+    case.desktop.do("keydown", "shift")
+    assert case.stroke(second)["brush"].get("blur"), "there was no mask to blur"
+    case.desktop.do("keyup", "shift")
+    case.desktop.key("ctrl+z")
+    wait_for("the undo", lambda: operations(second)[-1]["op"] == "undo")
+    case.desktop.key("ctrl+q")  # nothing is unsaved
+    editor.ended()
+    with open(second) as file:
+        assert json.loads(file.readline())["mask"] == os.path.relpath(mask, case.folder)
+
+
 def crash_offers_recovery(case):
     editor = case.open()
     case.desktop.drag(STROKE)
@@ -632,7 +656,7 @@ def run(functions):
 
 if __name__ == "__main__":
     run((stroke_saves_and_replays, mask_is_shown_darker_and_in_no_journal, modifiers_and_cancel,
-         a_key_right_behind_escape_is_not_lost,
+         a_mask_is_asked_for_saved_and_there_again, a_key_right_behind_escape_is_not_lost,
          letters_are_those_printed_on_the_keys, crash_offers_recovery,
          moving_tools_and_mask_survive_a_kill, quit_asks_for_unsaved_work, resized_and_reopened,
          views_show_the_surface_each_in_its_way, two_methods_side_by_side_while_sculpting,

@@ -40,7 +40,7 @@ std::string error_of(const std::string& text) {
 
 TEST(Journal, EveryOperationReadsBackEqual) {
     JournalHeader header{"0.1.0", "../a scene/\"quoted\" ä.json", 0x0123456789abcdef, 0xf, 8192, 1, 0.1, -0.3,
-                         1u << 29, "colours.png", 0xfedcba9876543210};
+                         1u << 29, "colours.png", 0xfedcba9876543210, "map.tif.mask.png", 1};
     Dab last{4294967295u, 22300, 1048576, 0, 0};
     const std::vector<JournalOp> ops{
         StrokeOp{Brush{}, {Dab{}, last}},
@@ -78,6 +78,7 @@ TEST(Journal, EveryOperationReadsBackEqual) {
         ExpectImageOp{"b.png", 0, std::nullopt, std::nullopt},
         RenderOp{"out.png", 1, std::nullopt},
         SaveOp{"/tmp/map.tif", 0},
+        SaveOp{"/tmp/map.tif", 0, {}, std::nullopt, 7},
         SaveOp{"map.png", std::nullopt},
     };
     const Journal journal = read_back(header, ops);

@@ -179,7 +179,7 @@ TEST_F(PaintSession, SavesTheColoursBesideTheHeightsWithTheirBitsAndOnlyWhenThey
         session.save(at("third.tif"));
         EXPECT_EQ(test::read_text(at("third_colour.png")), "somebody's");
         EXPECT_TRUE(fs::exists(at("third_colour_2.png")));
-        session.save(at("other.tif"), at("other_colour.png"));
+        session.save(at("other.tif"), {at("other_colour.png")});
         paint(session, 3, Paint::colour);
         session.save(at("other.tif"), {});
         EXPECT_TRUE(session.unsaved()) << "heights alone were saved";
@@ -196,8 +196,8 @@ TEST_F(PaintSession, ColoursThatCannotBeWrittenLeaveBothFilesAndStayUnsaved) {
     Session session(painted_scene(folder_.path(), 8), headless());
     const std::string heights = test::read_text(at("map.tif"));
     paint(session, 2);
-    EXPECT_NE(refusal([&] { session.save(at("map.tif"), at("no/such/c.png")); }), "");
-    EXPECT_NE(refusal([&] { session.save(at("map.tif"), at("c.exr")); }), "");
+    EXPECT_NE(refusal([&] { session.save(at("map.tif"), {at("no/such/c.png")}); }), "");
+    EXPECT_NE(refusal([&] { session.save(at("map.tif"), {at("c.exr")}); }), "");
     EXPECT_EQ(test::read_text(at("map.tif")), heights);
     EXPECT_TRUE(session.unsaved());
 }

@@ -181,7 +181,7 @@ TEST_F(Recovery, AMapThatCouldNotBeKeptIsReportedUntilItIsKept) {
     sculpt(session, 1);
     BlockedBase blocked(only_journal());
     const auto no_colours = folder_.path() / "no_colours.png";
-    EXPECT_THROW(session.save(folder_.path() / "map.tif", no_colours), std::invalid_argument);
+    EXPECT_THROW(session.save(folder_.path() / "map.tif", {no_colours}), std::invalid_argument);
     EXPECT_NE(session.journal_error(), "");
     sculpt(session, 2);
     EXPECT_NE(session.journal_error(), "");
