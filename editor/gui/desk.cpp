@@ -176,9 +176,12 @@ void Desk::save_picture(const std::filesystem::path& path) {
     attempt([&] {
         work = LongWork{"Saving " + path.filename().string(),
                         [this, path, layers](const Advance& advance) {
-                            write_render(session.renderer(), path, layers, advance);
+                            write_render(live.parts(), path, layers, advance);
                         },
-                        [this, path] { toasts.info("Saved " + path.string()); }};
+                        [this, path] {
+                            view.picture_folder = path.parent_path();
+                            toasts.info("Saved " + path.string());
+                        }};
     });
 }
 

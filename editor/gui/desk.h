@@ -71,6 +71,7 @@ struct ViewState {
     std::vector<PaintColour> recent_colours{};  // the newest first
     int colour_bits = 8;                        // of a colour map that the first stroke makes
     std::optional<WorkShown> work{};  // under way for long enough to be shown
+    std::filesystem::path picture_folder{};  // of the last saved picture; empty: none yet
     bool asking = false;       // a click asks what happened to the pixel's ray, and does not sculpt
 };
 

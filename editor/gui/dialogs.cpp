@@ -108,6 +108,14 @@ void draw_recovery(Desk& desk) {
     ImGui::EndPopup();
 }
 
+// Where the last picture went, else beside the scene; one that the program made itself lies out of sight, its map does not.
+std::filesystem::path picture_folder(const Desk& desk) {
+    if (!desk.view.picture_folder.empty()) return desk.view.picture_folder;
+    const std::filesystem::path scene = desk.session.scene().path;
+    const auto map = desk.session.map_path();
+    return (is_derived(scene) && map ? *map : scene).parent_path();
+}
+
 }  // namespace
 
 FileDialog::Purpose open_purpose() {
@@ -140,7 +148,7 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
         case Dialog::save_picture:
             files_.open(
                 {"Save the picture as far as it is refined", "Save", {".png", ".exr"}, true, {}},
-                std::filesystem::absolute(desk.session.scene().path.stem()).replace_extension(".png"));
+                picture_folder(desk) / (desk.session.scene().path.stem().string() + ".png"));
             break;
         case Dialog::exemplar: {
             const auto& source = desk.session.scene().objects.front().displacement.procedural;

@@ -101,6 +101,13 @@ Renderer& LivePicture::renderer_at(double x) {
     return panes_[is_split() && x >= divider_px() ? 1 : 0]->renderer();
 }
 
+std::vector<RenderPart> LivePicture::parts() {
+    Renderer& first = panes_.front()->renderer();
+    if (!is_split()) return {{&first, 0, first.width()}};
+    const int middle = static_cast<int>(std::lround(to_renderer_x(divider_px())));
+    return {{&first, 0, middle}, {&panes_.back()->renderer(), middle, first.width()}};
+}
+
 double LivePicture::to_renderer_x(double x) const {
     return x * panes_.front()->renderer().width() / size().width;
 }

@@ -7,6 +7,7 @@
 
 #include "editor/gui/live_pane.h"
 #include "editor/session/live_reference.h"
+#include "editor/session/render_output.h"
 
 namespace relievo::gui {
 
@@ -43,6 +44,7 @@ class LivePicture {
     void set_divider(double share);
     int divider_px() const;
     Renderer& renderer_at(double x);  // x: pixels on screen
+    std::vector<RenderPart> parts();   // what is seen, in the renderers' pixels
 
     // From pixels on screen, relative to the picture's corner, to those of the session's renderer.
     double to_renderer_x(double x) const;

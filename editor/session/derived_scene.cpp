@@ -25,9 +25,13 @@ namespace {
 
 using nlohmann::json;
 
+fs::path derived_folder() {
+    return state_folder() / "scenes";
+}
+
 // Files are told apart by what they say: NAME-<hash>.json.
 fs::path write_scene(const json& scene, const std::string& name) {
-    const fs::path folder = state_folder() / "scenes";
+    const fs::path folder = derived_folder();
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)
@@ -91,6 +95,11 @@ FileKind kind_of_file(const fs::path& path) {
     if (among({".obj", ".ply", ".off", ".stl"})) return FileKind::mesh;
     if (among({".png", ".tif", ".tiff", ".exr"})) return FileKind::map;
     return FileKind::unknown;
+}
+
+bool is_derived(const fs::path& scene) {
+    std::error_code ignored;
+    return fs::equivalent(fs::absolute(scene).parent_path(), derived_folder(), ignored);
 }
 
 fs::path scene_of_mesh(const fs::path& mesh) {

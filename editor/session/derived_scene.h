@@ -14,6 +14,9 @@ namespace relievo {
 enum class FileKind { scene, mesh, map, unknown };
 FileKind kind_of_file(const std::filesystem::path& path);
 
+// Whether one of the functions below wrote that scene.
+bool is_derived(const std::filesystem::path& scene);
+
 // A scene of the mesh with a new map. Throws std::invalid_argument as load_scene does when the mesh cannot be
 // used.
 std::filesystem::path scene_of_mesh(const std::filesystem::path& mesh);

@@ -34,29 +34,57 @@ FloatPicture empty_picture(int width, int height, const std::vector<AovName>& la
     return picture;
 }
 
-// `values`: of so many channels from `channel` on, which is moved behind them, of whole rows from `row` on.
-void put_rows(FloatPicture& picture, int row, std::size_t& channel, std::size_t channels,
-              const std::vector<float>& values) {
+// `values`: of so many channels from `channel` on, which is moved behind them, of the pixels of `window`.
+void put(FloatPicture& picture, const PixelRect& window, std::size_t& channel, std::size_t channels,
+         const std::vector<float>& values) {
     const std::size_t stride = picture.channels.size();
-    float* to = picture.values.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) * stride;
-    to += channel;
-    for (std::size_t at = 0; at < values.size(); at += channels, to += stride)
-        std::copy_n(values.data() + at, channels, to);
+    const float* from = values.data();
+    for (int y = window.y0; y < window.y1; ++y) {
+        const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                           static_cast<std::size_t>(window.x0);
+        float* to = picture.values.data() + pixel * stride + channel;
+        for (int x = window.x0; x < window.x1; ++x, from += channels, to += stride) std::copy_n(from, channels, to);
+    }
     channel += channels;
 }
 
+// The columns [x0, x1) of whole rows of `values` each.
+template <typename Value>
+std::vector<Value> columns(const std::vector<Value>& values, int width, std::size_t channels, int x0, int x1) {
+    const std::size_t row = static_cast<std::size_t>(width) * channels, from = static_cast<std::size_t>(x0) * channels;
+    std::vector<Value> taken;
+    taken.reserve(values.size());
+    for (std::size_t at = 0; at < values.size(); at += row)
+        taken.insert(taken.end(), values.begin() + static_cast<std::ptrdiff_t>(at + from),
+                     values.begin() + static_cast<std::ptrdiff_t>(at + static_cast<std::size_t>(x1) * channels));
+    return taken;
+}
+
+DisplayPicture display_picture(std::span<const RenderPart> parts) {
+    DisplayPicture picture = display_picture(*parts.front().renderer);
+    const auto row = static_cast<std::ptrdiff_t>(picture.width) * 4;
+    for (const RenderPart& part : parts.subspan(1)) {
+        const std::vector<std::uint8_t> own = part.renderer->read_back_display();
+        for (std::ptrdiff_t at = 0; at < row * picture.height; at += row)
+            std::copy(own.begin() + at + part.x0 * 4, own.begin() + at + part.x1 * 4, picture.rgba.begin() + at + part.x0 * 4);
+    }
+    return picture;
+}
+
 // By bands that each take some hundredths of a second.
-void trace_layers(Renderer& renderer, FloatPicture& picture, const std::vector<AovName>& layers,
+void trace_layers(std::span<const RenderPart> parts, FloatPicture& picture, const std::vector<AovName>& layers,
                   std::size_t first_channel, const std::function<void(int row)>& before_band) {
     constexpr int kBandPixels = 1 << 16, kTile = 8;  // rows of the device's work groups
     const int rows = std::max(1, kBandPixels / picture.width / kTile) * kTile;
     for (int y = 0; y < picture.height; y += rows) {
         before_band(y);
-        const PixelRect band{0, y, picture.width, std::min(y + rows, picture.height)};
-        renderer.trace_layers(band);
-        std::size_t channel = first_channel;
-        for (const AovName& aov : layers)
-            put_rows(picture, y, channel, aov.channels.size(), renderer.traced_layer(aov.layer, band));
+        for (const RenderPart& part : parts) {
+            const PixelRect band{part.x0, y, part.x1, std::min(y + rows, picture.height)};
+            part.renderer->trace_layers(band);
+            std::size_t channel = first_channel;
+            for (const AovName& aov : layers)
+                put(picture, band, channel, aov.channels.size(), part.renderer->traced_layer(aov.layer, band));
+        }
     }
 }
 
@@ -121,24 +149,39 @@ void write_layers(const std::filesystem::path& path, int width, int height, cons
     const std::vector<AovName> layers = chosen(aovs);
     FloatPicture picture = empty_picture(width, height, layers);
     std::size_t channel = 0;
-    put_rows(picture, 0, channel, 4, beauty);
-    for (const AovName& aov : layers) put_rows(picture, 0, channel, aov.channels.size(), layer(aov.layer));
+    const PixelRect whole{0, 0, width, height};
+    put(picture, whole, channel, 4, beauty);
+    for (const AovName& aov : layers) put(picture, whole, channel, aov.channels.size(), layer(aov.layer));
     write_exr(path, picture);
 }
 
 void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs,
                   const Advance& advance) {
+    const RenderPart whole{&renderer, 0, renderer.width()};
+    write_render(std::span(&whole, 1), path, aovs, advance);
+}
+
+void write_render(std::span<const RenderPart> parts, const std::filesystem::path& path, const std::vector<Layer>& aovs,
+                  const Advance& advance) {
     check_render_output(path, aovs);
+    const int width = parts.front().renderer->width(), height = parts.front().renderer->height();
+    for (const RenderPart& part : parts)
+        if (part.renderer->width() != width || part.renderer->height() != height)
+            throw std::invalid_argument(path.string() + ": the picture's parts differ in size while it moves; save it at rest");
     const std::string stopped = not_written(path.string());
     tell(advance, 0, stopped);
-    if (is_png(path)) return write_png(path, display_picture(renderer), advance);
+    if (is_png(path)) return write_png(path, display_picture(parts), advance);
     const std::vector<AovName> layers = chosen(aovs);
-    FloatPicture picture = empty_picture(renderer.width(), renderer.height(), layers);
+    FloatPicture picture = empty_picture(width, height, layers);
     std::size_t channel = 0;
-    put_rows(picture, 0, channel, 4, renderer.read_back(Layer::beauty));
+    for (const RenderPart& part : parts) {
+        channel = 0;
+        put(picture, {part.x0, 0, part.x1, height}, channel, 4,
+            columns(part.renderer->read_back(Layer::beauty), width, 4, part.x0, part.x1));
+    }
     const double share = layers.empty() ? 0 : 0.5;  // of tracing them
     if (!layers.empty())
-        trace_layers(renderer, picture, layers, channel,
+        trace_layers(parts, picture, layers, channel,
                      [&](int row) { tell(advance, share * row / picture.height, stopped); });
     write_exr(path, picture, within(advance, share, 1));
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,17 @@ void write_layers(const std::filesystem::path& path, int width, int height, cons
 // Tone-mapped PNG, or EXR with R G B A and the layers. Throws std::invalid_argument as check_render_output
 // does, Stopped where `advance` says so: an older file then stays whole. Meanwhile the renderer must keep its size.
 void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs,
+                  const Advance& advance = {});
+
+// Columns [x0, x1) of a picture.
+struct RenderPart {
+    Renderer* renderer;
+    int x0, x1;
+};
+
+// The same of one picture whose columns are several renderers', side by side: all of one size, which std::invalid_argument
+// says where they are not.
+void write_render(std::span<const RenderPart> parts, const std::filesystem::path& path, const std::vector<Layer>& aovs,
                   const Advance& advance = {});
 
 }  // namespace relievo

@@ -365,6 +365,16 @@ def views_show_the_surface_each_in_its_way(case):
     finish_and_replay(case, editor)
 
 
+def save_picture(case):
+    """From the menu, under the name that is suggested: the scene's, beside it."""
+    case.desktop.drag([(29, 22)] * 2)
+    case.editor.screenshot()
+    case.desktop.drag([(80, 241)] * 2)
+    case.editor.screenshot()
+    case.desktop.key("Return")
+    wait_for("the picture", lambda: os.path.exists(os.path.join(case.folder, "scenes", "asteroid.png")))
+
+
 def two_methods_side_by_side_while_sculpting(case):
     editor = case.open(case.journal)
     case.desktop.do("mousemove", 300, 30)
@@ -390,6 +400,7 @@ def two_methods_side_by_side_while_sculpting(case):
     case.desktop.key("c")
     editor.screenshot()
     case.desktop.key("c")
+    save_picture(case)
     case.desktop.key("c")
     assert len(strokes(case.journal)) == 3, operations(case.journal)
     finish_and_replay(case, editor)

@@ -1,9 +1,11 @@
 // Two renderers over one session, and the report of a ray; on a device.
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "editor/session/ray_report.h"
+#include "editor/session/render_output.h"
 #include "renderer/methods/registry.h"
 #include "renderer/vulkan/context.h"
 #include "tests/session/test_scene.h"
@@ -50,6 +52,43 @@ TEST_F(Comparing, TheSecondRendererFollowsEveryCommandButTheMethods) {
     EXPECT_EQ(other.read_back(Layer::depth), of_first);
     session.stop_comparing();
     test::sculpt(session, 2);
+}
+
+TEST_F(Comparing, APictureOfBothHoldsEachOnItsSide) {
+    Session session(test::write_scene(folder_.path()), on_device());
+    session.set("method", "exact");
+    Renderer &first = session.renderer(), &second = session.compare_with({"pdm", {{"dt", 0.1}}});
+    first.render(), second.render();
+    const RenderPart parts[] = {{&first, 0, 40}, {&second, 40, 96}};
+    const auto path = folder_.path() / "both.png";
+    write_render(parts, path, {});
+    const DisplayPicture both = read_display_picture(path);
+    const auto left = first.read_back_display(), right = second.read_back_display();
+    ASSERT_NE(left, right);
+    ASSERT_EQ(both.width, 96);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < both.rgba.size(); ++i) wrong += both.rgba[i] != (i / 4 % 96 < 40 ? left : right)[i];
+    EXPECT_EQ(wrong, 0u);
+
+    const auto layers = folder_.path() / "both.exr";
+    write_render(parts, layers, {Layer::depth});
+    const auto input = OIIO::ImageInput::open(layers.string());
+    ASSERT_TRUE(input);
+    std::vector<float> values(96 * 72 * 5);
+    ASSERT_TRUE(input->read_image(0, 0, 0, 5, OIIO::TypeDesc::FLOAT, values.data()));
+    const auto z = static_cast<std::size_t>(input->spec().channelindex("Z"));
+    const auto red = static_cast<std::size_t>(input->spec().channelindex("R"));
+    const auto left_z = first.read_back(Layer::depth), right_z = second.read_back(Layer::depth);
+    const auto left_light = first.read_back(Layer::beauty), right_light = second.read_back(Layer::beauty);
+    ASSERT_NE(left_z, right_z);
+    for (std::size_t i = 0; i < 96 * 72; ++i) {
+        wrong += values[i * 5 + z] != (i % 96 < 40 ? left_z : right_z)[i];
+        wrong += values[i * 5 + red] != (i % 96 < 40 ? left_light : right_light)[i * 4];
+    }
+    EXPECT_EQ(wrong, 0u);
+
+    second.resize(48, 36);
+    EXPECT_THROW(write_render(parts, path, {}), std::invalid_argument);
 }
 
 TEST_F(Comparing, MapsOfObjectsThatAreNotEditedAreThereForAnotherMethod) {
