@@ -307,6 +307,7 @@ void App::do_work() {
     const auto work = std::exchange(desk_.work, std::nullopt);
     if (!work) return;
     const auto start = Clock::now();
+    const double since_us = window_->now_us();
     std::string trouble;
     try {
         work->run([&](double part) {
@@ -321,6 +322,7 @@ void App::do_work() {
         trouble = error.what();
     }
     desk_.view.work.reset();
+    window_->stand_still_since(since_us);
     frames_due_ = kSettleFrames;
     if (trouble.empty()) {
         if (work->done) work->done();

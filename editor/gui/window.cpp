@@ -181,6 +181,12 @@ double Window::now_us() const {
     return static_cast<double>(clock_us() - start_us_);
 }
 
+void Window::stand_still_since(double then_us) {
+    const auto then = static_cast<std::uint64_t>(then_us);
+    for (InputEvent& event : events_) event.time_us = std::min(event.time_us, then);
+    start_us_ = clock_us() - then;
+}
+
 void Window::poll() {
     before_events();
     glfwPollEvents();

@@ -59,6 +59,9 @@ class Window {
     std::uint64_t start_us() const {
         return start_us_;
     }  // of the steady clock: where the events' times begin
+    // From then until now nothing was answered: that clock stood still, and what came meanwhile came then. GLFW does not
+    // tell when events happen, and a press that had to wait must not count as a long one.
+    void stand_still_since(double then_us);
 
     // Where Dear ImGui is to see the pointer in the next frame, in window coordinates, if not where it is by then: at a
     // press or release since the last one.

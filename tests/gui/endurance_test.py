@@ -2,6 +2,7 @@
 import json
 import os
 import shutil
+import signal
 import subprocess
 import time
 
@@ -71,6 +72,34 @@ def a_long_save_shows_how_far_it_is_and_can_be_stopped(case):
     assert os.stat(case.map).st_ino != old
     case.desktop.key("ctrl+q")
     editor.ended()
+
+
+def a_press_that_waits_for_a_save_is_no_long_one(case):
+    subprocess.run([case.relievo, "bake", os.path.join(case.assets, "scenes", "procedural_plane.json"), "-o", case.map,
+                    "--size", "4096x4096"], check=True, capture_output=True)
+    case.desktop = Desktop(case.folder, 900, 1000)
+    editor = case.open(case.journal)
+    click(case, 790, 602)  # an airbrush of 100 dabs a second
+    hands = Hands(case.desktop.display)
+    hands.move(320, 400)
+    time.sleep(1)
+    hands.button(1, True)
+    time.sleep(1)
+    hands.button(1, False)
+    wait_for("the stroke", lambda: strokes(case.journal))
+    assert len(strokes(case.journal)[0]["dabs"]) > 40, "no airbrush"
+    # Key and press are read together; the release comes while the map is being saved.
+    editor.process.send_signal(signal.SIGSTOP)
+    hands.tap("s", held=["Control_L"])
+    hands.button(1, True)
+    editor.process.send_signal(signal.SIGCONT)
+    time.sleep(0.9)
+    hands.button(1, False)
+    saved, stroke = wait_for("save and stroke", lambda: len(operations(case.journal)) > 2 and operations(case.journal)[1:])
+    assert [saved["op"], stroke["op"]] == ["save", "stroke"], (saved, stroke)
+    assert len(stroke["dabs"]) < 10, len(stroke["dabs"])
+    hands.close()
+    editor.kill()
 
 
 def a_picture_being_saved_can_be_stopped_and_keeps_its_size(case):
@@ -307,7 +336,7 @@ def a_long_restore_can_be_stopped_and_done_later(case):
 
 
 if __name__ == "__main__":
-    run((memory_of_compilers_goes_back, a_long_save_shows_how_far_it_is_and_can_be_stopped,
+    run((memory_of_compilers_goes_back, a_press_that_waits_for_a_save_is_no_long_one, a_long_save_shows_how_far_it_is_and_can_be_stopped,
          a_picture_being_saved_can_be_stopped_and_keeps_its_size, journals_deleted_between_strokes_miss_nothing,
          what_cannot_be_saved_on_the_way_out_is_saved_elsewhere, dialogs_fit_a_small_window_with_large_letters,
          a_menu_higher_than_the_window_scrolls_to_its_end,
