@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <stdexcept>
 #include <string>
@@ -72,6 +73,21 @@ void write_all(const fs::path& path, int fd, std::span<const std::byte> content)
     }
 }
 
+// Block by block where someone wants to know how far it is: the memory of the system takes a whole map at once, and then
+// the file's sync would wait for the disk, for how long nobody knows.
+void write_telling(const fs::path& path, int fd, std::span<const std::byte> content, const Advance& advance) {
+    if (!advance) return write_all(path, fd, content);
+    constexpr std::size_t kBlock = std::size_t{8} << 20;
+    for (std::size_t at = 0; at < content.size(); at += kBlock) {
+        tell(advance, static_cast<double>(at) / static_cast<double>(content.size()), not_written(path.string()));
+        const auto block = content.subspan(at, std::min(kBlock, content.size() - at));
+        write_all(path, fd, block);
+        // Only for the progress, where the file system can: what it leaves is the sync's, and so are errors.
+        ::sync_file_range(fd, static_cast<off64_t>(at), static_cast<off64_t>(block.size()),
+                          SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER);
+    }
+}
+
 void sync_folder(const fs::path& path, const fs::path& folder) {
     const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     // Some file systems cannot sync folders (EINVAL); there is nothing better to do on them.
@@ -96,10 +112,10 @@ bool give_name(const Descriptor& fd, std::string& name) {
 
 // Beside the target, whole and synced, under a name of its own.
 fs::path write_beside(const fs::path& path, const fs::path& target, const fs::path& folder, mode_t mode,
-                      std::span<const std::byte> content) {
+                      std::span<const std::byte> content, const Advance& advance) {
     const auto fill = [&](const Descriptor& fd) {
         if (::fchmod(fd.get(), mode) != 0) fail_errno(path, errno);
-        write_all(path, fd.get(), content);
+        write_telling(path, fd.get(), content, advance);
         if (::fsync(fd.get()) != 0) fail_errno(path, errno);
     };
     std::string name = (folder / ".").string() + target.filename().string() + ".XXXXXX";
@@ -120,7 +136,7 @@ fs::path write_beside(const fs::path& path, const fs::path& target, const fs::pa
 
 }  // namespace
 
-void write_file_atomically(const fs::path& path, std::span<const std::byte> content) {
+void write_file_atomically(const fs::path& path, std::span<const std::byte> content, const Advance& advance) {
     const fs::path target = link_target(path);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     struct stat old {};
@@ -132,7 +148,7 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> cont
     const mode_t mask = ::umask(0);
     ::umask(mask);
     const fs::path temporary =
-        write_beside(path, target, folder, replaces ? old.st_mode & 07777 : 0666 & ~mask, content);
+        write_beside(path, target, folder, replaces ? old.st_mode & 07777 : 0666 & ~mask, content, advance);
     RemoveOnFailure guard(temporary);
     if (::rename(temporary.c_str(), target.c_str()) != 0) fail_errno(path, errno);
     guard.done();

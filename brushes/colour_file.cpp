@@ -134,8 +134,8 @@ void save_colours(const ColourMap& map, const fs::path& path, const ColourOrigin
     each_colour(spec, [&](std::size_t at, std::size_t channel, int x, int y) {
         put_count(pixels.data() + at, map.bits(), map.plane(channel).at(x, y));
     });
-    const std::vector<unsigned char> file = encoded_image(path, kKind, writer.c_str(), spec, pixels, advance);
-    write_file_atomically(path, std::as_bytes(std::span(file)));
+    const std::vector<unsigned char> file = encoded_image(path, kKind, writer.c_str(), spec, pixels, within(advance, 0, kEncoded));
+    write_file_atomically(path, std::as_bytes(std::span(file)), within(advance, kEncoded, 1));
 }
 
 }  // namespace relievo

@@ -140,9 +140,9 @@ void save_map(const HeightMap& map, const fs::path& path, MapFormat format, MapR
     const OIIO::ImageSpec spec = spec_for(map, format, origin, same_layout);
     std::vector<std::byte> pixels = pixels_for(map, format, range, origin, spec, same_layout);
     if (same_layout) repeat_first_channel(pixels, spec, origin->repeats);
-    const std::vector<unsigned char> file = encoded_image(path, "map", writer_name(format), spec, pixels, advance);
+    const std::vector<unsigned char> file = encoded_image(path, "map", writer_name(format), spec, pixels, within(advance, 0, kEncoded));
     pixels = {};
-    write_file_atomically(path, std::as_bytes(std::span(file)));
+    write_file_atomically(path, std::as_bytes(std::span(file)), within(advance, kEncoded, 1));
 }
 
 }  // namespace relievo

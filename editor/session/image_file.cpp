@@ -29,8 +29,8 @@ void encode_and_write(const fs::path& path, const char* format, const OIIO::Imag
                       const std::vector<Value>& values, const Advance& advance = {}) {
     check_writable(path);
     const std::vector<unsigned char> bytes =
-        encoded_image(path, "picture", format, spec, std::as_bytes(std::span(values)), advance);
-    write_file_atomically(path, std::as_bytes(std::span(bytes)));
+        encoded_image(path, "picture", format, spec, std::as_bytes(std::span(values)), within(advance, 0, kEncoded));
+    write_file_atomically(path, std::as_bytes(std::span(bytes)), within(advance, kEncoded, 1));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "brushes/atomic_file.h"
 #include "chart_surface.h"
 #include "image_files.h"
 
@@ -277,6 +278,33 @@ TEST(MapFile, a_save_tells_how_far_it_is_and_can_be_stopped) {
         map.set(3, 4, 0);
     }
     EXPECT_EQ(folder.names().size(), 3u) << "nothing else is left";
+}
+
+TEST(MapFile, the_disk_tells_how_far_it_is_and_can_be_stopped) {
+    const TestFolder folder;
+    const std::vector<std::byte> content(std::size_t{20} << 20, std::byte{7}), old(3, std::byte{1});
+    for (const bool replaces : {false, true}) {
+        const fs::path path = folder / "m.tif";
+        if (replaces) write_file_atomically(path, old);
+        std::vector<double> parts;
+        const auto write = [&](std::size_t last) {
+            parts.clear();
+            write_file_atomically(path, content, [&](double part) {
+                parts.push_back(part);
+                return parts.size() < last;
+            });
+        };
+        for (std::size_t last = 1; last <= 3; ++last) {
+            EXPECT_THROW(write(last), Stopped);
+            EXPECT_EQ(fs::exists(path), replaces);
+            EXPECT_TRUE(!replaces || fs::file_size(path) == old.size());
+            EXPECT_EQ(folder.names().size(), replaces ? 1u : 0u);
+        }
+        write(4);
+        EXPECT_EQ(parts, (std::vector<double>{0, 0.4, 0.8}));
+        EXPECT_EQ(fs::file_size(path), content.size());
+        fs::remove(path);
+    }
 }
 
 TEST(MapFile, symbolic_links_and_permissions_stay) {
