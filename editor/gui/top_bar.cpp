@@ -59,6 +59,7 @@ void file_menu(Desk& desk) {
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y});
     end_list_in_window(ImGui::GetItemRectMax().y);
     if (!ImGui::BeginPopup("file")) return;
+    keep_folded_while_scrolling();
     const auto item = [&](const char* name, const char* keys, Dialog dialog) {
         if (ImGui::MenuItem(name, keys)) desk.view.wanted = dialog;
     };

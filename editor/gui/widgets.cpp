@@ -222,6 +222,15 @@ void keep_lists_in_window() {
     }
 }
 
+void keep_folded_while_scrolling() {
+    ImGuiContext& ui = *ImGui::GetCurrentContext();
+    bool& at_rest = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("at rest"));
+    const bool moved = ui.IO.MouseDelta.x != 0 || ui.IO.MouseDelta.y != 0 || ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
+                       ImGui::IsWindowAppearing();
+    at_rest = !moved && (at_rest || (ui.IO.MouseWheel != 0 && ImGui::GetScrollMaxY() > 0));
+    if (at_rest) ui.NavDisableMouseHover = true;  // for this frame
+}
+
 void end_list_in_window(float top) {
     const ImVec2 most = ImGui::GetMainViewport()->Size;
     ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(most.x, most.y - top));

@@ -60,6 +60,8 @@ void close_list_on_escape();
 void keep_lists_in_window();
 // For the list that is begun next and unfolds downwards from `top`: it ends where the window does, and scrolls then.
 void end_list_in_window(float top);
+// In a list that is begun: what the wheel brings under a pointer at rest does not unfold until that moves.
+void keep_folded_while_scrolling();
 void note(std::string_view text);  // a line about what is wrong in a dialog; it keeps its place when empty
 
 // Puts the cursor where a control of the row begins, after drawing its label.

@@ -191,8 +191,19 @@ def a_menu_higher_than_the_window_scrolls_to_its_end(case):
     editor.screenshot()
     case.desktop.drag([(58, 44)] * 2)
     editor.screenshot()
-    case.desktop.do("mousemove", 400, 120)
+    # Another menu comes under the pointer, and stays folded until that moves.
+    unfolded = (44, 150, 306, 390)
+    case.desktop.do("mousemove", 400, 322)
     case.desktop.do("click", "--repeat", 15, "--delay", 50, 5)
+    editor.screenshot()
+    scrolled = case.desktop.screen()
+    case.desktop.do("mousemove", 402, 130)
+    editor.screenshot()
+    assert difference(scrolled, case.desktop.screen(), unfolded) < 1, "it unfolded"
+    case.desktop.do("mousemove", 402, 322)
+    editor.screenshot()
+    assert difference(scrolled, case.desktop.screen(), unfolded) > 5, "it does not unfold"
+    case.desktop.do("mousemove", 402, 130)
     editor.screenshot()
     case.desktop.drag([(400, 366)] * 2)  # Quit
     editor.ended()
