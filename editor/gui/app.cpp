@@ -57,6 +57,7 @@ App::App(Window& window, Screen& screen, Session& session, FrameLog& log, double
       screen_(&screen),
       log_(&log),
       least_frame_ms_(most_fps > 0 ? 1000 / most_fps : 0),
+      screenshots_([](const auto& path, const DisplayPicture& picture) { write_png(path, picture); }, glfwPostEmptyEvent),
       reference_(session, [] { glfwPostEmptyEvent(); }),
       live_(session, reference_, screen.format()),
       desk_(session, live_, reference_, toasts_),
@@ -93,6 +94,7 @@ Departure App::run() {
         // While the picture only refines, the device's time is the tracer's.
         if (frames_due_ > 0 || live_.take_changed() || ms_since(last_drawn_) > kUnhurriedMs) draw();
         do_work();
+        tell_screenshots();
         update_title();
         if (const std::string trouble = reference_.take_trouble(); !trouble.empty())
             toasts_.error("The reference: " + trouble);
@@ -128,7 +130,7 @@ void App::draw() {
     screen_->end(live_.strips(), layout_.picture.x, layout_.picture.y);
     times_.draw_ms = ms_since(last_drawn_);
     log_->shown(pointer_.in_stroke(), times_, desk_.session.undo_bytes());
-    if (std::exchange(desk_.view.screenshot_wanted, false)) save_screenshot();
+    if (std::exchange(desk_.view.screenshot_wanted, false)) screenshots_.take(screen_->screenshot(), {});
 }
 
 // A compiler takes a hundred megabytes for a moment, in small pieces. What it leaves between those that stay, the C
@@ -344,15 +346,13 @@ void App::poll_behind_work() {
                  events.end());
 }
 
-void App::save_screenshot() {
-    std::filesystem::path path;
-    for (int number = 1; path.empty() || std::filesystem::exists(path); ++number)
-        path = "relievo-screenshot-" + std::to_string(number) + ".png";
-    try {  // in a stroke, too, where the desk takes no commands
-        write_png(path, screen_->screenshot());
-        toasts_.info("Saved " + std::filesystem::absolute(path).string());
-    } catch (const std::exception& trouble) {
-        toasts_.error(trouble.what());
+void App::tell_screenshots() {
+    for (const auto& [path, trouble] : screenshots_.take_done()) {
+        if (trouble.empty())
+            toasts_.info("Saved " + std::filesystem::absolute(path).string());
+        else
+            toasts_.error(trouble);
+        frames_due_ = kSettleFrames;
     }
 }
 

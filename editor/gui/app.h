@@ -12,6 +12,7 @@
 #include "editor/gui/layout.h"
 #include "editor/gui/pointer_control.h"
 #include "editor/gui/screen.h"
+#include "editor/gui/screenshots.h"
 
 namespace relievo::gui {
 
@@ -41,7 +42,7 @@ class App {
     void follow_pointer();
     void draw_interface();
     void update_title();
-    void save_screenshot();
+    void tell_screenshots();
     void do_work();
     void poll_behind_work();
 
@@ -51,6 +52,7 @@ class App {
     double least_frame_ms_;  // from one frame to the next
     TurnTimes times_;
     Toasts toasts_;
+    Screenshots screenshots_;
     LiveReference reference_;
     LivePicture live_;
     Desk desk_;
