@@ -170,13 +170,17 @@ void Desk::open_files(const std::vector<std::filesystem::path>& paths) {
 }
 
 void Desk::save_picture(const std::filesystem::path& path) {
-    const std::vector<Layer> layers =
-        is_png(path) ? std::vector<Layer>{}
-                     : std::vector<Layer>{Layer::depth, Layer::normal, Layer::uv, Layer::id};
     attempt([&] {
         work = LongWork{"Saving " + path.filename().string(),
-                        [this, path, layers](const Advance& advance) {
-                            write_render(live.parts(), path, layers, advance);
+                        [this, path](const Advance& advance) {
+                            // A view of layers leaves the light as it was.
+                            const bool no_light = shows_layers(live.view());
+                            if (is_png(path) && no_light) return write_png(path, live.layers(), advance);
+                            if (is_png(path)) return write_render(live.parts(), path, {}, advance);
+                            const double share = no_light ? 0.4 : 0;
+                            if (no_light) render_afresh(live.parts(), within(advance, 0, share));
+                            write_render(live.parts(), path, {Layer::depth, Layer::normal, Layer::uv, Layer::id},
+                                         within(advance, share, 1));
                         },
                         [this, path] {
                             view.picture_folder = path.parent_path();

@@ -107,7 +107,7 @@ class Desk {
     void open_file(const std::filesystem::path& path);  // a scene, a mesh, or a map for the edited object
     // What was dropped together: a scene (the rest is taken for its parts), or a mesh and its map; else one file alone.
     void open_files(const std::vector<std::filesystem::path>& paths);
-    // What is traced, without the interface; an EXR has the layers of the surface, too.
+    // What is seen, without the interface; an EXR has light and the layers of the surface in any view.
     void save_picture(const std::filesystem::path& path);
     void revert();                           // to what was last saved or loaded
     void leave(const Departure& departure);  // asks first when work is unsaved

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "editor/gui/map_value.h"
@@ -106,6 +107,15 @@ std::vector<RenderPart> LivePicture::parts() {
     if (!is_split()) return {{&first, 0, first.width()}};
     const int middle = static_cast<int>(std::lround(to_renderer_x(divider_px())));
     return {{&first, 0, middle}, {&panes_.back()->renderer(), middle, first.width()}};
+}
+
+DisplayPicture LivePicture::layers() const {
+    const LayerImage &first = panes_.front()->layers(), &last = panes_.back()->layers();
+    if (first.size() != last.size())
+        throw std::invalid_argument("The picture's parts differ in size while it moves; save it at rest");
+    DisplayPicture picture{first.size().width, first.size().height, first.rgba()};
+    if (is_split()) put_columns(picture, last.rgba(), static_cast<int>(std::lround(to_renderer_x(divider_px()))), picture.width);
+    return picture;
 }
 
 double LivePicture::to_renderer_x(double x) const {

@@ -45,6 +45,8 @@ class LivePicture {
     int divider_px() const;
     Renderer& renderer_at(double x);  // x: pixels on screen
     std::vector<RenderPart> parts();   // what is seen, in the renderers' pixels
+    // Of a view that shows layers, what is seen. Throws std::invalid_argument where the panes differ in size: in motion.
+    DisplayPicture layers() const;
 
     // From pixels on screen, relative to the picture's corner, to those of the session's renderer.
     double to_renderer_x(double x) const;

@@ -35,6 +35,12 @@ void encode_and_write(const fs::path& path, const char* format, const OIIO::Imag
 
 }  // namespace
 
+void put_columns(DisplayPicture& picture, const std::vector<std::uint8_t>& rgba, int x0, int x1) {
+    const auto row = static_cast<std::ptrdiff_t>(picture.width) * 4;
+    for (std::ptrdiff_t at = 0; at < row * picture.height; at += row)
+        std::copy(rgba.begin() + at + x0 * 4, rgba.begin() + at + x1 * 4, picture.rgba.begin() + at + x0 * 4);
+}
+
 void check_writable(const fs::path& path) {
     const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
     if (path.filename().empty()) fail(path, "must name a file");

@@ -15,6 +15,9 @@ struct DisplayPicture {  // sRGB-encoded, row 0 at the top
     std::vector<std::uint8_t> rgba;  // 4 a pixel
 };
 
+// Columns [x0, x1) of a picture of the same size take the place of its own.
+void put_columns(DisplayPicture& picture, const std::vector<std::uint8_t>& rgba, int x0, int x1);
+
 struct FloatPicture {  // row 0 at the top
     int width = 0, height = 0;
     std::vector<std::string> channels;

@@ -62,29 +62,20 @@ std::vector<Value> columns(const std::vector<Value>& values, int width, std::siz
 
 DisplayPicture display_picture(std::span<const RenderPart> parts) {
     DisplayPicture picture = display_picture(*parts.front().renderer);
-    const auto row = static_cast<std::ptrdiff_t>(picture.width) * 4;
-    for (const RenderPart& part : parts.subspan(1)) {
-        const std::vector<std::uint8_t> own = part.renderer->read_back_display();
-        for (std::ptrdiff_t at = 0; at < row * picture.height; at += row)
-            std::copy(own.begin() + at + part.x0 * 4, own.begin() + at + part.x1 * 4, picture.rgba.begin() + at + part.x0 * 4);
-    }
+    for (const RenderPart& part : parts.subspan(1))
+        put_columns(picture, part.renderer->read_back_display(), part.x0, part.x1);
     return picture;
 }
 
-// By bands that each take some hundredths of a second.
-void trace_layers(std::span<const RenderPart> parts, FloatPicture& picture, const std::vector<AovName>& layers,
-                  std::size_t first_channel, const std::function<void(int row)>& before_band) {
+// Bands that each take some hundredths of a second.
+void by_bands(std::span<const RenderPart> parts, const std::function<void(int row)>& before_band,
+              const std::function<void(Renderer& renderer, const PixelRect& band)>& trace) {
     constexpr int kBandPixels = 1 << 16, kTile = 8;  // rows of the device's work groups
-    const int rows = std::max(1, kBandPixels / picture.width / kTile) * kTile;
-    for (int y = 0; y < picture.height; y += rows) {
+    const int height = parts.front().renderer->height();
+    const int rows = std::max(1, kBandPixels / parts.front().renderer->width() / kTile) * kTile;
+    for (int y = 0; y < height; y += rows) {
         before_band(y);
-        for (const RenderPart& part : parts) {
-            const PixelRect band{part.x0, y, part.x1, std::min(y + rows, picture.height)};
-            part.renderer->trace_layers(band);
-            std::size_t channel = first_channel;
-            for (const AovName& aov : layers)
-                put(picture, band, channel, aov.channels.size(), part.renderer->traced_layer(aov.layer, band));
-        }
+        for (const RenderPart& part : parts) trace(*part.renderer, {part.x0, y, part.x1, std::min(y + rows, height)});
     }
 }
 
@@ -155,6 +146,13 @@ void write_layers(const std::filesystem::path& path, int width, int height, cons
     write_exr(path, picture);
 }
 
+void render_afresh(std::span<const RenderPart> parts, const Advance& advance) {
+    for (const RenderPart& part : parts) part.renderer->restart();
+    const double height = parts.front().renderer->height();
+    by_bands(parts, [&](int row) { tell(advance, row / height, "Tracing was stopped"); },
+             [](Renderer& renderer, const PixelRect& band) { renderer.render(band); });
+}
+
 void write_render(Renderer& renderer, const std::filesystem::path& path, const std::vector<Layer>& aovs,
                   const Advance& advance) {
     const RenderPart whole{&renderer, 0, renderer.width()};
@@ -181,8 +179,13 @@ void write_render(std::span<const RenderPart> parts, const std::filesystem::path
     }
     const double share = layers.empty() ? 0 : 0.5;  // of tracing them
     if (!layers.empty())
-        trace_layers(parts, picture, layers, channel,
-                     [&](int row) { tell(advance, share * row / picture.height, stopped); });
+        by_bands(parts, [&](int row) { tell(advance, share * row / height, stopped); },
+                 [&](Renderer& renderer, const PixelRect& band) {
+                     renderer.trace_layers(band);
+                     std::size_t at = channel;
+                     for (const AovName& aov : layers)
+                         put(picture, band, at, aov.channels.size(), renderer.traced_layer(aov.layer, band));
+                 });
     write_exr(path, picture, within(advance, share, 1));
 }
 

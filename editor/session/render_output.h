@@ -52,7 +52,10 @@ struct RenderPart {
     int x0, x1;
 };
 
-// The same of one picture whose columns are several renderers', side by side: all of one size, which std::invalid_argument
+// One sample a pixel in the place of those that were gathered, which may be of an older surface.
+void render_afresh(std::span<const RenderPart> parts, const Advance& advance = {});
+
+// As write_render, of one picture whose columns are several renderers', side by side: all of one size, which std::invalid_argument
 // says where they are not.
 void write_render(std::span<const RenderPart> parts, const std::filesystem::path& path, const std::vector<Layer>& aovs,
                   const Advance& advance = {});

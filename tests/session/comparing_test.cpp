@@ -87,6 +87,17 @@ TEST_F(Comparing, APictureOfBothHoldsEachOnItsSide) {
     }
     EXPECT_EQ(wrong, 0u);
 
+    test::sculpt(session, 4, 20);
+    render_afresh(parts);
+    const auto fresh = first.read_back(Layer::beauty);
+    EXPECT_NE(fresh, left_light);
+    first.restart();
+    first.render();
+    const auto whole = first.read_back(Layer::beauty);
+    for (std::size_t i = 0; i < fresh.size(); ++i)
+        if (i / 4 % 96 < 40) wrong += fresh[i] != whole[i];
+    EXPECT_EQ(wrong, 0u);
+
     second.resize(48, 36);
     EXPECT_THROW(write_render(parts, path, {}), std::invalid_argument);
 }

@@ -1,0 +1,70 @@
+// What of the window's picture is saved, from a device; skipped without one.
+#include "editor/gui/live_picture.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/vulkan/context.h"
+#include "tests/session/test_scene.h"
+
+namespace relievo::gui {
+namespace {
+
+class LivePictures : public testing::Test {
+  protected:
+    void SetUp() override {
+        for (const vulkan::DeviceInfo& device : vulkan::list_devices())
+            if (device.usable) return;
+        GTEST_SKIP() << "no Vulkan device with ray tracing";
+    }
+    void TearDown() override { EXPECT_EQ(vulkan::Context::validation_messages(), 0); }
+
+    static SessionOptions on_device() {
+        SessionOptions options;
+        options.validation = true;
+        return options;
+    }
+    static void trace(LivePicture& live) {
+        while (!live.idle()) live.work(5);
+    }
+    test::TemporaryFolder folder_;
+};
+
+std::size_t differing(const DisplayPicture& a, const DisplayPicture& b, int x0, int x1) {
+    std::size_t count = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = x0; x < x1; ++x) {
+            const auto at = static_cast<std::size_t>(y * a.width + x) * 4;
+            count += !std::equal(&a.rgba[at], &a.rgba[at] + 4, &b.rgba[at]);
+        }
+    return count;
+}
+
+TEST_F(LivePictures, AViewOfLayersIsSavedAsItIsSeenOfBothMethodsAndAfterEveryStroke) {
+    Session session(test::write_scene(folder_.path()), on_device());
+    LiveReference reference(session, [] {});
+    LivePicture live(session, reference, VK_FORMAT_R8G8B8A8_UNORM);
+    session.set("amplitude", 2.0);  // too rough for coarse steps
+    live.resize({96, 72});
+    live.set_view(View::normals);
+    trace(live);
+    const DisplayPicture before = live.layers();
+    ASSERT_EQ(before.width, 96);
+    ASSERT_EQ(before.height, 72);
+    test::sculpt(session, 4, 20);
+    live.restart();
+    trace(live);
+    const DisplayPicture after = live.layers();
+    EXPECT_GT(differing(before, after, 0, 96), 20u);
+
+    live.compare_with(MethodChoice{"march", {{"steps", 10}}});
+    live.set_divider(0.375);
+    trace(live);
+    const DisplayPicture both = live.layers();
+    EXPECT_EQ(differing(after, both, 0, 36), 0u);
+    EXPECT_GT(differing(after, both, 36, 96), 0u);
+    EXPECT_EQ(live.parts().size(), 2u);
+    EXPECT_EQ(live.parts()[1].x0, 36);
+}
+
+}  // namespace
+}  // namespace relievo::gui
