@@ -114,7 +114,7 @@ void Session::State::load_start_mask() {
     try {
         load(beside);
     } catch (const std::invalid_argument& trouble) {  // the map is the work, and opens without
-        scene.warnings.push_back(std::string(trouble.what()) + "; opened without it");
+        scene.warnings.push_back(std::string(trouble.what()) + "; opened without a mask");
     }
 }
 
