@@ -189,6 +189,12 @@ void Desk::save_picture(const std::filesystem::path& path) {
     });
 }
 
+std::filesystem::path Desk::beside_scene(const std::string& ending) const {
+    std::filesystem::path own = session.scene().path;
+    if (is_derived(own)) own = session.map_path().value_or(session.scene().objects.front().mesh_path);
+    return own.parent_path() / (own.stem().string() + ending);
+}
+
 void Desk::revert() {
     attempt([&] {
         if (!session.unsaved()) {

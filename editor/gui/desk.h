@@ -141,6 +141,10 @@ class Desk {
     void split(bool wanted);  // the right part of the picture by the second method
     void set_second(const MethodChoice& method);
 
+    // For a new file: the scene's name with that ending, beside it. A scene that the program wrote itself lies out of the
+    // user's sight: its map, or else its mesh, takes its place.
+    std::filesystem::path beside_scene(const std::string& ending) const;
+
     // The edited mesh's bounding-sphere radius: what brush sizes are measured by.
     float mesh_radius() const { return session.scene().objects.front().mesh.sphere_radius; }
 

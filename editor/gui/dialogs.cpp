@@ -108,14 +108,6 @@ void draw_recovery(Desk& desk) {
     ImGui::EndPopup();
 }
 
-// Where the last picture went, else beside the scene; one that the program made itself lies out of sight, its map does not.
-std::filesystem::path picture_folder(const Desk& desk) {
-    if (!desk.view.picture_folder.empty()) return desk.view.picture_folder;
-    const std::filesystem::path scene = desk.session.scene().path;
-    const auto map = desk.session.map_path();
-    return (is_derived(scene) && map ? *map : scene).parent_path();
-}
-
 }  // namespace
 
 FileDialog::Purpose open_purpose() {
@@ -145,11 +137,12 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
             return maps_.open_new(desk);
         case Dialog::export_map:
             return maps_.open_export(desk);
-        case Dialog::save_picture:
-            files_.open(
-                {"Save the picture as far as it is refined", "Save", {".png", ".exr"}, true, {}},
-                picture_folder(desk) / (desk.session.scene().path.stem().string() + ".png"));
+        case Dialog::save_picture: {
+            const std::filesystem::path fresh = desk.beside_scene("-picture.png"), &last = desk.view.picture_folder;
+            files_.open({"Save the picture as far as it is refined", "Save", {".png", ".exr"}, true, {}},
+                        last.empty() ? fresh : last / fresh.filename());
             break;
+        }
         case Dialog::exemplar: {
             const auto& source = desk.session.scene().objects.front().displacement.procedural;
             if (!source) return;
@@ -169,17 +162,14 @@ void Dialogs::open(Desk& desk, Dialog dialog) {
         }
         case Dialog::export_colours: {
             if (!desk.session.colours()) return desk.toasts.info("There is no colour map yet: paint one");
-            const std::filesystem::path scene = desk.session.scene().path;
             files_.open({"Export the colours", "Save", {".png", ".tif", ".tiff"}, true, {}},
-                        scene.parent_path() / (scene.stem().string() + "-colours.png"));
+                        desk.beside_scene("-colours.png"));
             break;
         }
         case Dialog::save_as: {
-            const std::filesystem::path scene = desk.session.scene().path;
-            const auto fresh = scene.parent_path() / (scene.stem().string() + ".tif");
             after_saving_ = std::exchange(desk.pending, std::nullopt);
             files_.open({"Save the map", "Save", {".png", ".tif", ".tiff", ".exr"}, true, {}},
-                        desk.session.map_path().value_or(fresh));
+                        desk.session.map_path().value_or(desk.beside_scene(".tif")));
             break;
         }
     }

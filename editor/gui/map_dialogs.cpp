@@ -62,9 +62,9 @@ MapRange world_range(const Displacement& d) {
 }  // namespace
 
 void MapDialogs::choose_name(const Desk& desk, const char* suffix) {
-    const fs::path scene = desk.session.scene().path;
-    const fs::path map = desk.session.map_path().value_or(scene);
-    name_ = (map.parent_path() / (scene.stem().string() + suffix)).string();
+    const fs::path fresh = desk.beside_scene(suffix);
+    const auto map = desk.session.map_path();
+    name_ = (map ? map->parent_path() / fresh.filename() : fresh).string();
     ask_anew();
 }
 

@@ -365,14 +365,30 @@ def views_show_the_surface_each_in_its_way(case):
     finish_and_replay(case, editor)
 
 
-def save_picture(case):
-    """From the menu, under the name that is suggested: the scene's, beside it."""
+def save_picture(case, picture="scenes/asteroid-picture.png"):
+    """From the menu, under the name that is suggested."""
     case.desktop.drag([(29, 22)] * 2)
     case.editor.screenshot()
     case.desktop.drag([(80, 241)] * 2)
     case.editor.screenshot()
     case.desktop.key("Return")
-    wait_for("the picture", lambda: os.path.exists(os.path.join(case.folder, "scenes", "asteroid.png")))
+    wait_for("the picture", lambda: os.path.exists(os.path.join(case.folder, picture)))
+
+
+def what_comes_of_a_bare_mesh_lies_beside_it(case):
+    case.desktop = Desktop(case.folder)
+    mesh = os.path.join(case.folder, "meshes", "asteroid.obj")
+    case.editor = Editor(case.desktop, case.relievo, mesh, case.folder, case.journal)
+    case.editor.screenshot()
+    save_picture(case, "meshes/asteroid-picture.png")
+    case.stroke(case.journal)
+    case.desktop.key("ctrl+s")
+    case.editor.screenshot()  # it asks for a name
+    case.desktop.key("Return")
+    wait_for("the map", lambda: os.path.exists(os.path.join(case.folder, "meshes", "asteroid.tif")))
+    wait_for("the record of the save", lambda: operations(case.journal)[-1]["op"] == "save")
+    case.desktop.key("ctrl+q")
+    case.editor.ended()
 
 
 def two_methods_side_by_side_while_sculpting(case):
@@ -670,7 +686,7 @@ if __name__ == "__main__":
          a_mask_is_asked_for_saved_and_there_again, a_key_right_behind_escape_is_not_lost,
          letters_are_those_printed_on_the_keys, crash_offers_recovery,
          moving_tools_and_mask_survive_a_kill, quit_asks_for_unsaved_work, resized_and_reopened,
-         views_show_the_surface_each_in_its_way, two_methods_side_by_side_while_sculpting,
+         what_comes_of_a_bare_mesh_lies_beside_it, views_show_the_surface_each_in_its_way, two_methods_side_by_side_while_sculpting,
          why_this_pixel_lists_its_ray, first_start_opens_the_sample_with_a_hint,
          views_are_kept_and_drags_cancelled, light_follows_the_pointer_until_a_click, new_map_export_and_revert,
          export_asks_for_each_file_it_would_replace, painting_goes_to_a_colour_map, no_display))

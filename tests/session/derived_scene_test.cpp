@@ -50,6 +50,8 @@ TEST_F(DerivedScene, ABareMeshTakesAMapAndANewOne) {
     save_map(HeightMap(33, 20, 7), at("other.tif"), MapFormat::tiff16);
     Session given(scene_with_map(bare, at("other.tif")), test::headless());
     EXPECT_EQ(given.map_path(), at("other.tif"));
+    EXPECT_TRUE(is_derived(given.scene().path));
+    EXPECT_FALSE(is_derived(scene_));
     Session made(scene_with_new_map(bare, {at("fresh.png"), 16, 8}), test::headless());
     EXPECT_EQ(made.map().height(), 8);
 }
