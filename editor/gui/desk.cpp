@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "editor/gui/camera_control.h"
 #include "editor/session/preferences.h"
@@ -105,13 +106,21 @@ void Desk::tell_saved(const std::filesystem::path& path, const SaveWith& with) {
     if (!colours.empty()) text += (with.mask.empty() ? " and " : ", ") + colours.filename().string();
     if (!with.mask.empty()) text += " and the mask";
     toasts.info(text);
+    offer_scene_of(path, session.colours() ? session.colour_path().value_or("") : "");
+}
+
+void Desk::offer_scene_of(const std::filesystem::path& map, const std::filesystem::path& colours) {
     const Scene& scene = session.scene();
-    if (colours.empty() || colours == scene.objects.front().material.albedo_map) return;
+    const SceneObject& object = scene.objects.front();
+    std::error_code ignored;
+    const bool names_map = std::filesystem::equivalent(map, object.displacement.map, ignored);
+    const bool names_colours = colours.empty() || colours == object.material.albedo_map;
+    if ((names_map && names_colours) || offered_ == std::pair(map, colours)) return;
     attempt([&] {
-        const auto both = scene_with_maps(scene.path, path, colours);
-        change_preferences([&](Preferences& p) { add_recent(p, both); });
-        toasts.info("The scene does not name these colours: open " + both.filename().string() +
-                    " from Recent");
+        const auto fresh = names_colours ? scene_with_map(scene.path, map) : scene_with_maps(scene.path, map, colours);
+        change_preferences([&](Preferences& p) { add_recent(p, fresh); });
+        offered_ = {map, colours};
+        toasts.info("The scene does not name what was saved: open " + fresh.filename().string() + " from Recent");
     });
 }
 

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "editor/gui/alpha_shelf.h"
@@ -154,6 +155,10 @@ class Desk {
   private:
     void turn_light(const glm::dmat3& turn);
     void tell_saved(const std::filesystem::path& path, const SaveWith& with);
+    // Where the scene would be opened again without these files, one with them, among the recent ones.
+    void offer_scene_of(const std::filesystem::path& map, const std::filesystem::path& colours);
+
+    std::pair<std::filesystem::path, std::filesystem::path> offered_;  // last
 };
 
 }  // namespace relievo::gui

@@ -387,6 +387,10 @@ def what_comes_of_a_bare_mesh_lies_beside_it(case):
     case.desktop.key("Return")
     wait_for("the map", lambda: os.path.exists(os.path.join(case.folder, "meshes", "asteroid.tif")))
     wait_for("the record of the save", lambda: operations(case.journal)[-1]["op"] == "save")
+    # The mesh alone would be flat again.
+    scene = wait_for("a scene with the map", lambda: [path for path in case.preferences()["recent"] if "tif" in open(path).read()])
+    with open(scene[0]) as file:
+        assert json.load(file)["objects"][0]["displacement"]["map"] == os.path.join(case.folder, "meshes", "asteroid.tif")
     case.desktop.key("ctrl+q")
     case.editor.ended()
 
