@@ -1,7 +1,7 @@
 // What the search by patches (shaders/methods/exact/patch_search.glsl) relies on to drop a patch: no point of
 // the surface leaves its patch's box, and over a patch the surface's derivatives stray from those at its
 // middle by no more than said. And what the search answers: places of the surface that the ray meets within
-// rounding, however far it comes from. Random triangles whose shells fold as often as not, maps, rays and
+// rounding, however far it comes from and however many texels the triangle has. Random triangles whose shells fold as often as not, maps, rays and
 // patches.
 #include <gtest/gtest.h>
 
@@ -27,7 +27,9 @@ using glm::dvec4;
 
 class Trial {
   public:
-    explicit Trial(unsigned seed) : random_(seed) {
+    // Of some texels a triangle, or of thousands with cliffs between them.
+    enum class Map { any, many_cliffs };
+    explicit Trial(unsigned seed, Map map = Map::any) : random_(seed), many_(map == Map::many_cliffs) {
         make_map();
         make_triangle();
         const vec3 target = primitive_.origin + vec3(direction() * 0.1);
@@ -38,7 +40,7 @@ class Trial {
     void check_patch() {
         choose_patch();
         vec2 low, high;
-        patch_texels(frame_, corner_, side_, low, high);
+        patch_texels(frame_, patch_texel(frame_, corner_), side_, low, high);
         const vec2 range = patch_displacement(primitive_, subject.object, low, high);
         const PatchBox box = patch_box(frame_, corner_, side_, range);
         const double rounding = 1e-5 * (1.0 + double{length(frame_.p)} + glm::length(dvec2(range)));
@@ -61,11 +63,12 @@ class Trial {
         choose_patch();
         const vec2 middle = corner_ + vec2(0.5f * side_), cell = floor(patch_texel(frame_, middle));
         const vec4 quad = height_quad(0, primitive_base(primitive_) + cell);
-        const PatchPoint m = patch_point(frame_, subject.object, quad, cell, middle);
+        const PatchFrame from = frame_at(frame_, vec2(0), frame_.tx - cell);
+        const PatchPoint m = patch_point(from, subject.object, quad, middle);
         const float spread = jacobian_spread(frame_, subject.object, quad, m, 0.5f * side_);
         if (spread >= 1e30f) return 0;
         for (int i = 0; i < 20; ++i) {
-            const PatchPoint a = patch_point(frame_, subject.object, quad, cell, vec2(place()));
+            const PatchPoint a = patch_point(from, subject.object, quad, vec2(place()));
             const float rounding = 1e-4f * (length(a.s1) + length(a.s2) + length(m.s1) + length(m.s2));
             const float strays = length(a.s1 - m.s1) + length(a.s2 - m.s2);
             EXPECT_LE(strays, spread + rounding) << "side " << side_;
@@ -93,7 +96,55 @@ class Trial {
         return glm::length(off - along * glm::dot(off, along)) / (6e-8 * size);
     }
 
+    // Of a ray that passes a cliff's edge by a hundred-thousandth of the amplitude, this side or that: how far beside the
+    // surface it was met, over what rounding does to a place of the triangle, however many texels it has.
+    std::optional<double> met_beside_cliff() {
+        dvec2 b;
+        do b = {between(0, 1), between(0, 1)};
+        while (b.x + b.y > 1 || !to_texel_corner(b));
+        const dvec3 on = in_world(b), toward = direction();
+        const dvec3 off = glm::normalize(glm::cross(toward, direction()));
+        const vec3 target(on + off * (1e-5 * double{subject.object.amplitude})), eye = target - vec3(toward);
+        const vec3 d = normalize(target - eye), away = abs(eye - primitive_.origin);
+        SurfaceHit hit;
+        if (!search_patches(primitive_, subject.normals, subject.object, eye, d, 0.0f, 1e30f,
+                            3e-7f * max(max(away.x, away.y), away.z), vec3(1e-5f), hit))
+            return std::nullopt;
+        const double high = std::max(std::abs(primitive_.w_low), std::abs(primitive_.w_high));
+        const double size = 1 + double{length(primitive_.q2)} + primitive_.q1x +
+                            high / glm::length(dvec3(base_normal(subject.normals, hit.b)));
+        return nearest_to_ray(hit.b, dvec3(eye), glm::normalize(dvec3(d))) / (6e-8 * size);
+    }
+
   private:
+    // The nearest corner of four texels, if it lies in the triangle.
+    bool to_texel_corner(dvec2& b) const {
+        const dvec2 t1(primitive_.tx1 - primitive_.tx0), t2(primitive_.tx2 - primitive_.tx0);
+        const dvec2 at = dvec2(primitive_.tx0) + t1 * b.x + t2 * b.y, to = glm::round(at) - dvec2(primitive_.tx0);
+        const double turn = t1.x * t2.y - t1.y * t2.x;
+        b = dvec2(to.x * t2.y - to.y * t2.x, t1.x * to.y - t1.y * to.x) / turn;
+        return b.x > 0 && b.y > 0 && b.x + b.y < 1;
+    }
+
+    // The least distance of the surface from the ray, about a place whose barycentrics were rounded.
+    double nearest_to_ray(dvec2 b, const dvec3& eye, const dvec3& d) const {
+        const auto beside = [&](const dvec2& at) {
+            const dvec3 off = in_world(at) - eye;
+            return glm::length(off - d * glm::dot(off, d));
+        };
+        double least = beside(b);
+        for (double step = 1e-6; step > 1e-11; step *= 0.6) {
+            dvec2 best = b;
+            for (int i = -4; i <= 4; ++i)
+                for (int j = -4; j <= 4; ++j) {
+                    const dvec2 at = b + dvec2(i, j) * (0.25 * step);
+                    if (const double distance = beside(at); distance < least) least = distance, best = at;
+                }
+            b = best;
+        }
+        return least;
+    }
+
     double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }
     int whole(int a, int b) { return std::uniform_int_distribution<int>(a, b)(random_); }
     dvec3 direction() {
@@ -114,7 +165,7 @@ class Trial {
     void make_map() {
         map_.width = whole(1, 30);
         map_.height = whole(1, 30);
-        const bool cliffs = whole(0, 2) == 0;
+        const bool cliffs = many_ || whole(0, 2) == 0;
         for (int i = 0; i < map_.width * map_.height; ++i)
             map_.texels.push_back(static_cast<std::uint16_t>(cliffs ? 65535 * whole(0, 1) : whole(0, 65535)));
         pyramid_.emplace(map_.view(), Wrap::repeat);
@@ -129,7 +180,7 @@ class Trial {
     void make_triangle() {
         for (;;) {
             MeshFile file;
-            const double texels = std::pow(2.0, between(-2, 6)), lean = between(0, 3);
+            const double texels = std::pow(2.0, many_ ? between(9, 12) : between(-2, 6)), lean = between(0, 3);
             for (int i = 0; i < 3; ++i) {
                 file.positions.push_back(direction());
                 file.uvs.push_back(dvec2(between(-1, 1), between(-1, 1)) * texels /
@@ -175,6 +226,7 @@ class Trial {
     }
 
     std::mt19937 random_;
+    bool many_;
     test::TestMap map_;
     std::optional<HeightPyramid> pyramid_;
     Primitive primitive_{};
@@ -201,6 +253,23 @@ TEST(PatchBounds, HoldTheDerivatives) {
     EXPECT_GT(bounded, 50000);
 }
 
+TEST(TexelFrom, IsRoundedOnce) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> texel(-16384, 16384);
+    for (int i = 0; i < 20000; ++i) {
+        PatchFrame f{};
+        f.tx = {texel(random), texel(random)};
+        f.tx1 = {texel(random), texel(random)};
+        f.tx2 = {texel(random), texel(random)};
+        const unsigned places = 1u << (random() % 16u);
+        const vec2 corner = vec2(random() % places, random() % places) / static_cast<float>(places);
+        const dvec2 at = dvec2(f.tx) + dvec2(f.tx1) * double{corner.x} + dvec2(f.tx2) * double{corner.y};
+        const vec2 from(glm::floor(at));
+        const dvec2 wrong = dvec2(texel_from(f, corner, from)) - (at - dvec2(from));
+        ASSERT_LE(std::max(std::abs(wrong.x), std::abs(wrong.y)), 6e-8) << at.x << " " << at.y;
+    }
+}
+
 // Rays that aim at a place of the surface, which some of it must stop.
 TEST(SearchedHits, LieBesideFarRaysByRoundingOfTheTriangleAlone) {
     std::vector<double> beside;
@@ -211,6 +280,16 @@ TEST(SearchedHits, LieBesideFarRaysByRoundingOfTheTriangleAlone) {
     }
     std::sort(beside.begin(), beside.end());
     EXPECT_LT(beside[beside.size() * 99 / 100], 3);
+}
+
+TEST(SearchedHits, AreNoneWhereRaysPassCliffsOfThousandsOfTexels) {
+    std::vector<double> beside;
+    for (unsigned seed = 0; seed < 800; ++seed)
+        if (const auto b = Trial(seed, Trial::Map::many_cliffs).met_beside_cliff()) beside.push_back(*b);
+    ASSERT_GT(beside.size(), 700u);
+    std::sort(beside.begin(), beside.end());
+    EXPECT_LT(beside[beside.size() * 9 / 10], 4);
+    EXPECT_LT(beside[beside.size() * 99 / 100], 20);
 }
 
 }  // namespace

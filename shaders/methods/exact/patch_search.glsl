@@ -14,6 +14,7 @@ const int kPatchDepth = 15;
 const float kPatchTexels = 1.0f;     // of a patch that is solved
 const float kLeastLength = 1e-3f;    // of N: below, it is taken to point anywhere
 const float kTurnOfRounding = 4e-7f; // what rounding moves N by, at most
+const float kTexelRounding = 4e-7f;  // of a place in a patch, in texels
 const float kSlabRounding = 1e-6f;   // of heights about a plane, of the map's range
 const int kPatchSteps = 8;           // of Newton
 const float kLeastStep = 1e-5f;      // barycentric: one that is true though what it leaves is rounding
@@ -34,7 +35,7 @@ struct PatchBox {        // what the hull spans
 };
 
 struct PatchRoot {
-    vec2 b;
+    vec2 b;          // from the patch's corner
     float z;
     bool inside;     // converged to a place in the patch and the cell
     bool decided;    // inside or not, there is no other
@@ -42,6 +43,7 @@ struct PatchRoot {
 
 // The first 12 of 24 bits: a product of two such is exact.
 FUNC float first_bits(float x) { return intBitsToFloat(floatBitsToInt(x) & -4096); }
+FUNC float first_9_bits(float x) { return intBitsToFloat(floatBitsToInt(x) & -32768); }
 
 // a - (o + d z), rounded as if it had been computed exactly: beside a far ray it is much smaller than either.
 FUNC vec3 from_ray(vec3 a, vec3 o, vec3 d, float z) {
@@ -74,9 +76,40 @@ FUNC PatchFrame make_patch_frame(Primitive p, PrimitiveNormals n, vec3 o, vec3 d
 
 FUNC vec2 patch_texel(PatchFrame f, vec2 b) { return f.tx + f.tx1 * b.x + f.tx2 * b.y; }
 
-// The texels that the patch covers.
-FUNC void patch_texels(PatchFrame f, vec2 corner, float side, OUT(vec2) low, OUT(vec2) high) {
-    vec2 a = patch_texel(f, corner);
+// sum + x; what rounding takes goes to `lost` (Knuth's two-sum).
+FUNC vec2 add_exactly(vec2 sum, vec2 x, INOUT(vec2) lost) {
+    vec2 both = sum + x, added = both - sum;
+    lost = lost + ((sum - (both - added)) + (x - added));
+    return both;
+}
+
+// sum + x b, for b of at most 15 bits: a corner's place.
+FUNC vec2 add_product_exactly(vec2 sum, vec2 x, float b, INOUT(vec2) lost) {
+    vec2 high = vec2(first_9_bits(x.x), first_9_bits(x.y)), rest = x - high;
+    vec2 middle = vec2(first_9_bits(rest.x), first_9_bits(rest.y));
+    sum = add_exactly(sum, high * b, lost);
+    sum = add_exactly(sum, middle * b, lost);
+    return add_exactly(sum, (rest - middle) * b, lost);
+}
+
+// patch_texel(f, corner) - from, rounded once: where a triangle has thousands of texels, rounding on the way would move a
+// cliff's edge by more than the ray may pass it.
+FUNC vec2 texel_from(PatchFrame f, vec2 corner, vec2 from) {
+    vec2 lost = vec2(0.0f), sum = add_exactly(f.tx, vec2(0.0f) - from, lost);
+    sum = add_product_exactly(sum, f.tx1, corner.x, lost);
+    return add_product_exactly(sum, f.tx2, corner.y, lost) + lost;
+}
+
+// The same surface with barycentrics that count from the patch's corner, whose texel is given from wherever texels count.
+FUNC PatchFrame frame_at(PatchFrame f, vec2 corner, vec2 texel) {
+    f.p = f.p + f.p1 * corner.x + f.p2 * corner.y;
+    f.n = f.n + f.n1 * corner.x + f.n2 * corner.y;
+    f.tx = texel;
+    return f;
+}
+
+// The texels that a patch covers whose corner lies at `a`.
+FUNC void patch_texels(PatchFrame f, vec2 a, float side, OUT(vec2) low, OUT(vec2) high) {
     low = a + side * (min(f.tx1, vec2(0.0f)) + min(f.tx2, vec2(0.0f)));
     high = a + side * (max(f.tx1, vec2(0.0f)) + max(f.tx2, vec2(0.0f)));
 }
@@ -152,7 +185,7 @@ FUNC bool box_met(PatchBox box, float rounding, float z_min, float z_max) {
            box.low.z - rounding <= z_max && box.high.z + rounding >= z_min;
 }
 
-// S(b) in the ray's frame and its derivatives, over one cell's bilinear heights.
+// S(b) in the ray's frame and its derivatives, over the bilinear heights of the cell from which the frame counts texels.
 struct PatchPoint {
     vec3 s, s1, s2;
     vec3 u;          // unit normal
@@ -160,9 +193,9 @@ struct PatchPoint {
     vec2 g;          // of the map, per texel
 };
 
-FUNC PatchPoint patch_point(PatchFrame f, ObjectData ob, vec4 quad, vec2 cell, vec2 b) {
+FUNC PatchPoint patch_point(PatchFrame f, ObjectData ob, vec4 quad, vec2 b) {
     PatchPoint a;
-    vec2 at = patch_texel(f, b) - cell;
+    vec2 at = patch_texel(f, b);
     vec3 n = f.n + f.n1 * b.x + f.n2 * b.y;
     a.g = bilinear_gradient(quad, at);
     a.length_n = max(length(n), 1e-20f);
@@ -199,17 +232,17 @@ FUNC float jacobian_spread(PatchFrame f, ObjectData ob, vec4 quad, PatchPoint m,
 // The roots of S across the ray over the patch and one cell. With J the Jacobian at the patch's middle m, every root b in
 // the patch has |b - m + J^-1 s(m)| <= k |b - m|, k from the spread of J: that tells where none is, and where k < 1 that
 // there is one at most (Krawczyk's operator, 1969). That one is found by Newton. `last`: look for one whatever k is.
-FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner, float side, vec2 cell, float rounding,
-                           float texel_rounding, bool last) {
+// `f`: from the patch's corner, and the cell of `quad`.
+FUNC PatchRoot solve_patch(ObjectData ob, PatchFrame f, vec2 corner, float side, vec4 quad, float rounding,
+                           bool last) {
     PatchRoot root;
     float r = 0.5f * side, slack = 1e-3f * r + 1e-6f;
-    vec2 middle = corner + vec2(r), b = middle;
-    vec4 quad = height_quad(p.object, primitive_base(p) + cell);
+    vec2 middle = vec2(r), b = middle;
     root.b = b;
     root.z = 0.0f;
     root.inside = false;
     root.decided = false;
-    PatchPoint a = patch_point(f, ob, quad, cell, b);
+    PatchPoint a = patch_point(f, ob, quad, b);
     float inverse = inverse_determinant(a);
     vec2 change = newton_step(a, inverse);
     vec2 gain = vec2(abs(a.s2.x) + abs(a.s2.y), abs(a.s1.x) + abs(a.s1.y)) * abs(inverse);  // norms of J^-1's rows
@@ -221,7 +254,7 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
     // What evaluating S may round away.
     float size = max(abs(f.p.x), abs(f.p.y)) + max(abs(f.p1.x), abs(f.p1.y)) + max(abs(f.p2.x), abs(f.p2.y));
     float noise = max(0.25f * rounding, 2e-7f * size + (2e-7f + kTurnOfRounding / a.length_n) * abs(a.d) +
-                                            0.5f * texel_rounding * abs(ob.amplitude) * (abs(a.g.x) + abs(a.g.y)));
+                                            0.5f * kTexelRounding * abs(ob.amplitude) * (abs(a.g.x) + abs(a.g.y)));
     if (!root.decided && !last) return root;
     // By so much rounding may move the root: across a sliver by more than its patches are wide, and then each would leave
     // it to the next. What is met beyond the patch is of S no less.
@@ -243,24 +276,24 @@ FUNC PatchRoot solve_patch(Primitive p, ObjectData ob, PatchFrame f, vec2 corner
             // How far its texel moves with the ray: up a cliff hardly at all, however far its barycentrics do.
             vec2 by_x = f.tx1 * a.s2.y - f.tx2 * a.s1.y, by_y = f.tx2 * a.s1.x - f.tx1 * a.s2.x;
             vec2 moves = (abs(by_x) + abs(by_y)) * (abs(inverse) * (rounding + noise));
-            vec2 place = patch_texel(f, root.b) - cell, border = min(vec2(texel_rounding) + moves, vec2(kMostBorder));
+            vec2 place = patch_texel(f, root.b), border = min(vec2(kTexelRounding) + moves, vec2(kMostBorder));
             vec2 beyond = place - clamp(place, vec2(0.0f), vec2(1.0f));
             root.inside = max(beside.x, beside.y) <= r + slack && abs(beyond.x) <= border.x && abs(beyond.y) <= border.y;
             // Beyond the cell other heights hold, beyond the triangle other surface: the ray must be within rounding of the
             // last place on this side.
             float turn = cross2(f.tx1, f.tx2);
             vec2 back = turn != 0.0f ? vec2(cross2(beyond, f.tx2), cross2(f.tx1, beyond)) * (1.0f / turn) : vec2(0.0f);
-            vec2 kept = max(max(abs(beyond.x), abs(beyond.y)) > texel_rounding ? root.b - back : root.b, vec2(0.0f));
-            kept = kept - vec2(0.5f * max(kept.x + kept.y - 1.0f, 0.0f));
+            vec2 kept = max(max(abs(beyond.x), abs(beyond.y)) > kTexelRounding ? root.b - back : root.b, vec2(0.0f) - corner);
+            kept = kept - vec2(0.5f * max((corner.x + corner.y - 1.0f) + (kept.x + kept.y), 0.0f));
             if (root.inside && (kept.x != root.b.x || kept.y != root.b.y)) {
-                vec3 s = patch_point(f, ob, quad, cell, kept).s;
+                vec3 s = patch_point(f, ob, quad, kept).s;
                 root.inside = max(abs(s.x), abs(s.y)) <= rounding + noise;
             }
             return root;
         }
         vec2 reach = vec2(r + 2.0f * slack) + doubt;
         b = middle + clamp(off, -reach, reach);
-        a = patch_point(f, ob, quad, cell, b);
+        a = patch_point(f, ob, quad, b);
         inverse = inverse_determinant(a);
         change = newton_step(a, inverse);
     }
@@ -281,14 +314,13 @@ FUNC uint even_bits(uint v) {
 
 // A root counts as soon as rounding might be all that holds it off the ray, which over many high texels is a worst case.
 // Newton's steps go on from there for as long as they bring S nearer.
-FUNC void settle_root(Primitive p, ObjectData ob, PatchFrame f, vec2 cell, INOUT(PatchRoot) root) {
-    vec4 quad = height_quad(p.object, primitive_base(p) + cell);
-    PatchPoint a = patch_point(f, ob, quad, cell, root.b);
+FUNC void settle_root(ObjectData ob, PatchFrame f, vec4 quad, INOUT(PatchRoot) root) {
+    PatchPoint a = patch_point(f, ob, quad, root.b);
     bool nearer = true;
     for (int i = 0; nearer && i < kPatchSteps; ++i) {
         vec2 change = newton_step(a, inverse_determinant(a)), b = root.b + change;
-        vec2 place = patch_texel(f, b) - cell, beyond = abs(place - clamp(place, vec2(0.0f), vec2(1.0f)));
-        PatchPoint next = patch_point(f, ob, quad, cell, b);
+        vec2 place = patch_texel(f, b), beyond = abs(place - clamp(place, vec2(0.0f), vec2(1.0f)));
+        PatchPoint next = patch_point(f, ob, quad, b);
         nearer = max(abs(next.s.x), abs(next.s.y)) < 0.5f * max(abs(a.s.x), abs(a.s.y)) &&
                  max(beyond.x, beyond.y) <= kMostBorder;
         if (nearer || max(abs(change.x), abs(change.y)) <= kLeastStep) {
@@ -299,14 +331,15 @@ FUNC void settle_root(Primitive p, ObjectData ob, PatchFrame f, vec2 cell, INOUT
     }
 }
 
-FUNC void take_root(Primitive p, ObjectData ob, PatchFrame f, vec2 cell, PatchRoot root, float t_min, vec3 margin,
-                    INOUT(bool) found, INOUT(SurfaceHit) hit) {
-    if (!root.inside || !in_triangle(root.b, margin)) return;
-    settle_root(p, ob, f, cell, root);
-    if (root.z < t_min || root.z > hit.t || !opaque_at(p, root.b)) return;
-    note(kNoteRoot, root.z, patch_texel(f, root.b), 0.0f, 0.0f);
+FUNC void take_root(Primitive p, ObjectData ob, PatchFrame f, vec2 corner, vec4 quad, vec2 cell, PatchRoot root, float t_min,
+                    vec3 margin, INOUT(bool) found, INOUT(SurfaceHit) hit) {
+    if (!root.inside || !in_triangle(corner + root.b, margin)) return;
+    settle_root(ob, f, quad, root);
+    vec2 b = corner + root.b;
+    if (root.z < t_min || root.z > hit.t || !opaque_at(p, b)) return;
+    note(kNoteRoot, root.z, cell + patch_texel(f, root.b), 0.0f, 0.0f);
     hit.t = root.z;
-    hit.b = root.b;
+    hit.b = b;
     found = true;
 }
 
@@ -315,7 +348,7 @@ FUNC bool search_patches(Primitive p, PrimitiveNormals n, ObjectData ob, vec3 o,
     PatchFrame f = make_patch_frame(p, n, o, d);
     float texels = max(abs(f.tx1.x) + abs(f.tx2.x), abs(f.tx1.y) + abs(f.tx2.y));
     vec2 far = max(max(abs(f.tx), abs(f.tx + f.tx1)), abs(f.tx + f.tx2));
-    float texel_rounding = 4e-7f * max(far.x, far.y);
+    float texel_rounding = 4e-7f * max(far.x, far.y);  // of places that count from the triangle
     float least = kLeastPatch * max(abs(p.w_low), abs(p.w_high)) + 2.0f * rounding;
     bool found = false;
     uint turned = (f.p1.z < 0.0f ? 0x55555555u : 0u) | (f.p2.z < 0.0f ? 0xaaaaaaaau : 0u), code = 0u;
@@ -329,8 +362,8 @@ FUNC bool search_patches(Primitive p, PrimitiveNormals n, ObjectData ob, vec3 o,
         bool down = false;
         if (corner.x + corner.y < 1.0f) {
             vec2 low, high;
-            patch_texels(f, corner, side, low, high);
-            vec2 range = patch_displacement(p, ob, low, high);
+            patch_texels(f, patch_texel(f, corner), side, low, high);
+            vec2 range = patch_displacement(p, ob, low - vec2(texel_rounding), high + vec2(texel_rounding));
             PatchBox box = patch_box(f, corner, side, range);
             note(kNoteStep, 0.0f, patch_texel(f, corner), range.y, side * texels);
             if (box_met(box, rounding, t_min, hit.t)) {
@@ -338,15 +371,21 @@ FUNC bool search_patches(Primitive p, PrimitiveNormals n, ObjectData ob, vec3 o,
                 bool last = depth == kPatchDepth || max(max(size.x, size.y), size.z) <= least;
                 down = !last;
                 if (last || side * texels <= kPatchTexels) {
-                    vec2 first = floor(low), count = min(floor(high) - first, vec2(1.0f));
+                    vec2 from = floor(low);
+                    PatchFrame g = frame_at(f, corner, texel_from(f, corner, from));
+                    patch_texels(g, g.tx, side, low, high);
+                    vec2 first = floor(low), count = min(floor(high) - first, vec2(1.0f)), texel = g.tx;
                     bool decided = true;
                     for (int k = 0; k < 4; ++k) {
                         vec2 step = vec2(float(k & 1), float(k >> 1));
                         if (step.x > count.x || step.y > count.y) continue;
-                        PatchRoot root = solve_patch(p, ob, f, corner, side, first + step, rounding, texel_rounding, last);
-                        note(kNoteCell, root.z, patch_texel(f, root.b), 0.0f, root.z);
+                        vec2 cell = from + (first + step);
+                        g.tx = texel - (first + step);
+                        vec4 quad = height_quad(p.object, primitive_base(p) + cell);
+                        PatchRoot root = solve_patch(ob, g, corner, side, quad, rounding, last);
+                        note(kNoteCell, root.z, cell + patch_texel(g, root.b), 0.0f, root.z);
                         decided = decided && root.decided;
-                        take_root(p, ob, f, first + step, root, t_min, margin, found, hit);
+                        take_root(p, ob, g, corner, quad, cell, root, t_min, margin, found, hit);
                     }
                     down = down && !decided;
                 }
