@@ -98,8 +98,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
     if (features.micro_triangles) {
         std::vector<MicroScene::Object> micro_objects;
         for (const Object& o : objects_) micro_objects.push_back(micro_object(o));
-        micro_.emplace(context, micro_objects, primitives_, features.density,
-                       features.path);
+        micro_.emplace(context, micro_objects, primitives_, features.density, features.path);
         if (!features.driver_triangles) sorted = micro_->take_boxes();
     }
     tree_ = features.driver_triangles ? SceneTree(context, commands, micro_->triangles())

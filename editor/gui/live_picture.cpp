@@ -102,11 +102,14 @@ Renderer& LivePicture::renderer_at(double x) {
     return panes_[is_split() && x >= divider_px() ? 1 : 0]->renderer();
 }
 
+int LivePicture::middle() const {
+    return static_cast<int>(std::lround(to_renderer_x(divider_px())));
+}
+
 std::vector<RenderPart> LivePicture::parts() {
     Renderer& first = panes_.front()->renderer();
     if (!is_split()) return {{&first, 0, first.width()}};
-    const int middle = static_cast<int>(std::lround(to_renderer_x(divider_px())));
-    return {{&first, 0, middle}, {&panes_.back()->renderer(), middle, first.width()}};
+    return {{&first, 0, middle()}, {&panes_.back()->renderer(), middle(), first.width()}};
 }
 
 DisplayPicture LivePicture::layers() const {
@@ -114,7 +117,7 @@ DisplayPicture LivePicture::layers() const {
     if (first.size() != last.size())
         throw std::invalid_argument("The picture's parts differ in size while it moves; save it at rest");
     DisplayPicture picture{first.size().width, first.size().height, first.rgba()};
-    if (is_split()) put_columns(picture, last.rgba(), static_cast<int>(std::lround(to_renderer_x(divider_px()))), picture.width);
+    if (is_split()) put_columns(picture, last.rgba(), middle(), picture.width);
     return picture;
 }
 

@@ -77,6 +77,7 @@ class LivePicture {
 
   private:
     using Clock = std::chrono::steady_clock;
+    int middle() const;  // where the split is, in the renderers' pixels
     void show_strips();
     void follow_mask();
     void follow_reference();

@@ -71,11 +71,15 @@ FUNC bool clip_folded(Primitive p, vec2 x0, vec2 xd, INOUT(float) low, INOUT(flo
     return low <= high;
 }
 
-// The primitive with its prism higher by what rounding may take from a far ray. For methods that compare a sample before
-// the surface with one behind it: a flat triangle's prism is so thin that both could round to one side.
-FUNC Primitive higher_by_rounding(Primitive p, vec3 o) {
+// What rounding may move a point of a ray by, beside the triangle: the further its origin, the more.
+FUNC float rounding_of_ray(Primitive p, vec3 o) {
     vec3 away = abs(o - p.origin);
-    float rounding = 3e-7f * max(max(away.x, away.y), away.z);
+    return 3e-7f * max(max(away.x, away.y), away.z);
+}
+
+// The primitive with its prism higher by that much. A flat triangle's is so thin that a sample before the surface and one
+// behind it could round to one side.
+FUNC Primitive higher(Primitive p, float rounding) {
     p.w_low -= rounding;
     p.w_high += rounding;
     return p;

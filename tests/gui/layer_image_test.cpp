@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "renderer/vulkan/context.h"
-#include "tests/session/test_scene.h"
+#include "tests/session/on_device.h"
 
 namespace relievo::gui {
 namespace {
@@ -15,21 +15,13 @@ namespace {
 constexpr int kWidth = 64, kHeight = 48;
 constexpr PixelRect kAll{0, 0, kWidth, kHeight};
 
-class LayerImages : public testing::Test {
+class LayerImages : public test::OnDevice {
   protected:
     void SetUp() override {
-        for (const vulkan::DeviceInfo& device : vulkan::list_devices())
-            if (device.usable) return start();
-        GTEST_SKIP() << "no Vulkan device with ray tracing";
+        OnDevice::SetUp();
+        if (IsSkipped()) return;
+        session_.emplace(test::write_scene(folder_.path()), on_device(kWidth, kHeight));
     }
-    void start() {
-        SessionOptions options;
-        options.validation = true;
-        options.width = kWidth;
-        options.height = kHeight;
-        session_.emplace(test::write_scene(folder_.path()), options);
-    }
-    void TearDown() override { EXPECT_EQ(vulkan::Context::validation_messages(), 0); }
 
     LayerImage image_of(View view, const Palette& palette) {
         LayerImage image;
@@ -61,7 +53,6 @@ class LayerImages : public testing::Test {
         return picture;
     }
 
-    test::TemporaryFolder folder_;
     std::optional<Session> session_;
 };
 

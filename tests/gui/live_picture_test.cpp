@@ -3,30 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/vulkan/context.h"
-#include "tests/session/test_scene.h"
+#include "tests/session/on_device.h"
 
 namespace relievo::gui {
 namespace {
 
-class LivePictures : public testing::Test {
+class LivePictures : public test::OnDevice {
   protected:
-    void SetUp() override {
-        for (const vulkan::DeviceInfo& device : vulkan::list_devices())
-            if (device.usable) return;
-        GTEST_SKIP() << "no Vulkan device with ray tracing";
-    }
-    void TearDown() override { EXPECT_EQ(vulkan::Context::validation_messages(), 0); }
-
-    static SessionOptions on_device() {
-        SessionOptions options;
-        options.validation = true;
-        return options;
-    }
     static void trace(LivePicture& live) {
         while (!live.idle()) live.work(5);
     }
-    test::TemporaryFolder folder_;
 };
 
 std::size_t differing(const DisplayPicture& a, const DisplayPicture& b, int x0, int x1) {

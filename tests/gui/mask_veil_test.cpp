@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "renderer/vulkan/context.h"
-#include "tests/session/test_scene.h"
+#include "tests/session/on_device.h"
 
 namespace relievo::gui {
 namespace {
@@ -14,23 +14,15 @@ namespace {
 constexpr int kWidth = 64, kHeight = 48;
 constexpr PixelRect kAll{0, 0, kWidth, kHeight};
 
-class MaskVeils : public testing::Test {
+class MaskVeils : public test::OnDevice {
   protected:
     void SetUp() override {
-        for (const vulkan::DeviceInfo& device : vulkan::list_devices())
-            if (device.usable) return start();
-        GTEST_SKIP() << "no Vulkan device with ray tracing";
-    }
-    void start() {
-        SessionOptions options;
-        options.validation = true;
-        options.width = kWidth;
-        options.height = kHeight;
-        session_.emplace(test::write_scene(folder_.path()), options);
+        OnDevice::SetUp();
+        if (IsSkipped()) return;
+        session_.emplace(test::write_scene(folder_.path()), on_device(kWidth, kHeight));
         veil_.reset({kWidth, kHeight});
         veil_.take(std::vector<std::uint8_t>(std::size_t{kWidth} * kHeight * 4, 200), kAll);
     }
-    void TearDown() override { EXPECT_EQ(vulkan::Context::validation_messages(), 0); }
 
     void collect(const PixelRect& window) {
         session_->renderer().trace_layers(window);
@@ -46,7 +38,6 @@ class MaskVeils : public testing::Test {
         return std::ranges::count(session_->renderer().read_back(Layer::id), 1.0f);
     }
 
-    test::TemporaryFolder folder_;
     std::optional<Session> session_;
     MaskVeil veil_;
 };

@@ -7,30 +7,14 @@
 #include "editor/session/ray_report.h"
 #include "editor/session/render_output.h"
 #include "renderer/methods/registry.h"
-#include "renderer/vulkan/context.h"
-#include "tests/session/test_scene.h"
+#include "tests/session/on_device.h"
 
 namespace relievo {
 namespace {
 
-class Comparing : public testing::Test {
+class Comparing : public test::OnDevice {
   protected:
-    void SetUp() override {
-        for (const vulkan::DeviceInfo& device : vulkan::list_devices())
-            if (device.usable) return;
-        GTEST_SKIP() << "no Vulkan device with ray tracing";
-    }
-    void TearDown() override { EXPECT_EQ(vulkan::Context::validation_messages(), 0); }
-
-    static SessionOptions on_device() {
-        SessionOptions options;
-        options.validation = true;
-        options.width = 96;
-        options.height = 72;
-        return options;
-    }
-
-    test::TemporaryFolder folder_;
+    static SessionOptions on_device() { return OnDevice::on_device(96, 72); }
 };
 
 TEST_F(Comparing, TheSecondRendererFollowsEveryCommandButTheMethods) {

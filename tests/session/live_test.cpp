@@ -12,34 +12,21 @@
 #include "editor/session/stroke_input.h"
 #include "editor/session/view_window.h"
 #include "renderer/vulkan/context.h"
-#include "tests/session/test_scene.h"
+#include "tests/session/on_device.h"
 
 namespace relievo {
 namespace {
 
-bool have_device() {
-    for (const vulkan::DeviceInfo& device : vulkan::list_devices())
-        if (device.usable) return true;
-    return false;
-}
-
-class Live : public testing::Test {
+class Live : public test::OnDevice {
   protected:
     void SetUp() override {
-        if (!have_device()) GTEST_SKIP() << "no Vulkan device with ray tracing";
+        OnDevice::SetUp();
+        if (IsSkipped()) return;
         scene_ = test::write_scene(folder_.path());
     }
-    void TearDown() override { EXPECT_EQ(vulkan::Context::validation_messages(), 0); }
 
-    SessionOptions on_device() const {
-        SessionOptions options;
-        options.validation = true;
-        options.width = 160;
-        options.height = 120;
-        return options;
-    }
+    static SessionOptions on_device() { return OnDevice::on_device(160, 120); }
 
-    test::TemporaryFolder folder_;
     std::filesystem::path scene_;
 };
 

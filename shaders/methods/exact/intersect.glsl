@@ -313,11 +313,8 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     PrismRay r;
     hit.t = t_max;
     hit.b = vec2(0.0f, 0.0f);
-    // What rounding of a far ray may take from a flat triangle's range.
-    vec3 away = abs(o - p.origin);
-    float rounding = 3e-7f * max(max(away.x, away.y), away.z);
-    p.w_low -= rounding;
-    p.w_high += rounding;
+    float rounding = rounding_of_ray(p, o);
+    p = higher(p, rounding);
     float shared_margin = min(kEdgeMargin + rounding / min(p.q1x, p.q2.y), kMostEdgeMargin);
     vec3 margin = vec3((p.flags & kPrimitiveOpenEdge0) != 0u ? kOpenMargin : shared_margin,
                        (p.flags & (kPrimitiveOpenEdge0 << 1)) != 0u ? kOpenMargin : shared_margin,

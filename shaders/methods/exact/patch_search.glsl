@@ -9,6 +9,8 @@
 // solved by Newton on S, cell by cell, so that what is solved is smooth, where bounds of the Jacobian say that it holds one
 // root at most (Krawczyk 1969); else it is divided on. No stack: the patch's place among those of its depth is a Morton
 // code, its bits turned so that the base triangle's near side comes first: what lies behind a hit is not divided.
+#include "exact_sums.glsl"
+
 const int kMaxPatches = 131072;      // a triangle: beyond, the best of what was found counts
 const int kPatchDepth = 15;
 const float kPatchTexels = 1.0f;     // of a patch that is solved
@@ -41,17 +43,6 @@ struct PatchRoot {
     bool decided;    // inside or not, there is no other
 };
 
-// The first 12 of 24 bits: a product of two such is exact.
-FUNC float first_bits(float x) { return intBitsToFloat(floatBitsToInt(x) & -4096); }
-FUNC float first_9_bits(float x) { return intBitsToFloat(floatBitsToInt(x) & -32768); }
-
-// a - (o + d z), rounded as if it had been computed exactly: beside a far ray it is much smaller than either.
-FUNC vec3 from_ray(vec3 a, vec3 o, vec3 d, float z) {
-    vec3 apart = a - o, step = apart - a, lost = (a - (apart - step)) - (o + step);
-    vec3 high = vec3(first_bits(d.x), first_bits(d.y), first_bits(d.z));
-    return ((apart - high * z) - (d - high) * z) + lost;
-}
-
 FUNC PatchFrame make_patch_frame(Primitive p, PrimitiveNormals n, vec3 o, vec3 d) {
     // The first axis across the ray follows the normals: boxes of long thin columns stay narrow.
     vec3 along = n.n0 + n.n1 + n.n2;
@@ -75,22 +66,6 @@ FUNC PatchFrame make_patch_frame(Primitive p, PrimitiveNormals n, vec3 o, vec3 d
 }
 
 FUNC vec2 patch_texel(PatchFrame f, vec2 b) { return f.tx + f.tx1 * b.x + f.tx2 * b.y; }
-
-// sum + x; what rounding takes goes to `lost` (Knuth's two-sum).
-FUNC vec2 add_exactly(vec2 sum, vec2 x, INOUT(vec2) lost) {
-    vec2 both = sum + x, added = both - sum;
-    lost = lost + ((sum - (both - added)) + (x - added));
-    return both;
-}
-
-// sum + x b, for b of at most 15 bits: a corner's place.
-FUNC vec2 add_product_exactly(vec2 sum, vec2 x, float b, INOUT(vec2) lost) {
-    vec2 high = vec2(first_9_bits(x.x), first_9_bits(x.y)), rest = x - high;
-    vec2 middle = vec2(first_9_bits(rest.x), first_9_bits(rest.y));
-    sum = add_exactly(sum, high * b, lost);
-    sum = add_exactly(sum, middle * b, lost);
-    return add_exactly(sum, (rest - middle) * b, lost);
-}
 
 // patch_texel(f, corner) - from, rounded once: where a triangle has thousands of texels, rounding on the way would move a
 // cliff's edge by more than the ray may pass it.

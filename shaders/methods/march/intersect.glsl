@@ -96,8 +96,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         if (!enter_frame_box(p, o, d, t_min, r)) return false;
         guess = vec2(1.0f / 3.0f, 1.0f / 3.0f);
     } else {
-        Primitive higher = higher_by_rounding(p, o);
-        if (!enter_prism(higher, o, d, t_min, kRayEnd, kSharedMargin + p.shell_margin, r)) return false;
+        if (!enter_prism(higher(p, rounding_of_ray(p, o)), o, d, t_min, kRayEnd, kSharedMargin + p.shell_margin, r)) return false;
         vec3 entry = prism_barycentrics(r, r.low);
         guess = vec2(entry.y, entry.z);
     }

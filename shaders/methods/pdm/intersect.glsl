@@ -32,7 +32,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     PrismRay r;
     hit.t = t_max;
     hit.b = vec2(0.0f, 0.0f);
-    p = higher_by_rounding(p, o);
+    p = higher(p, rounding_of_ray(p, o));
     if (!enter_prism(p, o, d, t_min, kRayEnd, kSideMargin, r)) return false;
     float limit = t_max - r.t0;
     if (!(r.low <= limit)) return false;
