@@ -87,7 +87,7 @@ void blur_once(HeightMap& mask, const Surface& surface, const Seams& seams, cons
     Blur blur(mask, surface, seams);
     for (int y = 0; y < mask.height(); ++y) {
         if (y % kRows == 0)
-            tell(advance, static_cast<double>(y) / mask.height(), "Blurring was stopped; the mask is as it was");
+            tell(advance, static_cast<double>(y) / mask.height(), "Stopped: all is as it was");
         blur.change_row(y);
     }
 }

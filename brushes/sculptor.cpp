@@ -87,7 +87,8 @@ struct Sculptor::State {
     std::vector<TexelRect> take(bool redo);
     void finish_stroke();
     void push_step();
-    void change_mask(const std::function<void(HeightMap&)>& change);
+    using MaskChange = std::function<void(HeightMap&, const Advance&)>;
+    void change_mask(const MaskChange& change, const Advance& advance);
 
     HeightMap& map;
     const Surface& surface;
@@ -232,11 +233,12 @@ void Sculptor::State::push_step() {
     undo.push(parts);
 }
 
-void Sculptor::State::change_mask(const std::function<void(HeightMap&)>& change) {
+void Sculptor::State::change_mask(const MaskChange& change, const Advance& advance) {
+    constexpr double kChanged = 0.5;  // part of the time, about
     HeightMap changed = need_mask();
-    change(changed);
+    change(changed, within(advance, 0, kChanged));
     seams.copy_all(changed);
-    undo.push(*mask, changed, Layer::mask);
+    undo.push(*mask, changed, Layer::mask, within(advance, kChanged, 1));
     mask = std::move(changed);
     ++mask_revision;
 }
@@ -328,30 +330,31 @@ void Sculptor::set_mask(HeightMap mask) {
     ++state_->mask_revision;
 }
 
-void Sculptor::clear_mask() {
+void Sculptor::clear_mask(const Advance& advance) {
     state_->require_stroke(false, "clear_mask");
     if (!state_->mask) return;
-    state_->change_mask([](HeightMap& mask) { std::ranges::fill(mask.texels(), std::uint16_t{0}); });
+    state_->change_mask([](HeightMap& mask, const Advance&) { std::ranges::fill(mask.texels(), std::uint16_t{0}); }, advance);
 }
 
-void Sculptor::invert_mask() {
+void Sculptor::invert_mask(const Advance& advance) {
     state_->require_stroke(false, "invert_mask");
-    state_->change_mask([](HeightMap& mask) {
+    const auto invert = [](HeightMap& mask, const Advance&) {
         for (std::uint16_t& texel : mask.texels()) texel = static_cast<std::uint16_t>(65535 - texel);
-    });
+    };
+    state_->change_mask(invert, advance);
 }
 
 void Sculptor::blur_mask(const Advance& advance) {
     state_->require_stroke(false, "blur_mask");
     if (!state_->mask) return;
     constexpr int kRounds = 4;
-    state_->change_mask([&](HeightMap& mask) {
+    const auto blur = [this](HeightMap& mask, const Advance& all) {
         for (int round = 0; round < kRounds; ++round) {
-            const Advance part = within(advance, round / double{kRounds}, (round + 1) / double{kRounds});
-            blur_once(mask, state_->surface, state_->seams, part);
+            blur_once(mask, state_->surface, state_->seams, within(all, round / double{kRounds}, (round + 1) / double{kRounds}));
             state_->seams.copy_all(mask);
         }
-    });
+    };
+    state_->change_mask(blur, advance);
 }
 
 const HeightMap* Sculptor::mask() const {

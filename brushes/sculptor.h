@@ -63,10 +63,10 @@ class Sculptor {
     // Steps of their own, like strokes. Throw std::logic_error in a stroke.
     // Of the map's size; gutter texels follow their sources. No undo step: what was there before the first.
     void set_mask(HeightMap mask);
-    void clear_mask();   // frees everything
-    void invert_mask();  // protects what was free, and the other way round
-    // Softens its borders by a few texels, across islands. Stopped, it leaves all as it was.
-    void blur_mask(const Advance& advance = {});
+    // Stopped, the three leave all as it was.
+    void clear_mask(const Advance& advance = {});   // frees everything
+    void invert_mask(const Advance& advance = {});  // protects what was free, and the other way round
+    void blur_mask(const Advance& advance = {});    // softens its borders by a few texels, across islands
     // Counts: 65535 protects a texel from every tool but mask, 0 frees it. Null while nothing was ever
     // masked.
     const HeightMap* mask() const;

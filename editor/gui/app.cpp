@@ -61,7 +61,8 @@ App::App(Window& window, Screen& screen, Session& session, FrameLog& log, double
       reference_(session, [] { glfwPostEmptyEvent(); }),
       live_(session, reference_, screen.format()),
       desk_(session, live_, reference_, toasts_),
-      pointer_(desk_) {
+      pointer_(desk_),
+      steps_seen_(session.steps_made()) {
     const Preferences preferences = load_preferences();
     desk_.view.hint = !preferences.first_hint_seen;
     desk_.view.side_width = static_cast<float>(preferences.side_width);
@@ -95,6 +96,7 @@ Departure App::run() {
         if (frames_due_ > 0 || live_.take_changed() || ms_since(last_drawn_) > kUnhurriedMs) draw();
         do_work();
         tell_screenshots();
+        tell_step_not_held();
         update_title();
         if (const std::string trouble = reference_.take_trouble(); !trouble.empty())
             toasts_.error("The reference: " + trouble);
@@ -344,6 +346,16 @@ void App::poll_behind_work() {
     events.erase(std::remove_if(events.begin() + before, events.end(),
                                 [](const InputEvent& event) { return event.kind != InputEvent::Kind::release; }),
                  events.end());
+}
+
+// What is undone can be redone; a step that the undo memory does not hold can be neither.
+void App::tell_step_not_held() {
+    const Session& session = desk_.session;
+    const std::uint64_t seen = std::exchange(steps_seen_, session.steps_made());
+    if (steps_seen_ <= seen || session.can_undo() || session.can_redo()) return;  // fewer: baked heights begin anew
+    toasts_.error("That step is larger than the undo memory of " + std::to_string(session.undo_budget() >> 20) +
+                  " MB: neither it nor those before it can be undone");
+    frames_due_ = kSettleFrames;
 }
 
 void App::tell_screenshots() {

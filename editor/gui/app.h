@@ -43,6 +43,7 @@ class App {
     void draw_interface();
     void update_title();
     void tell_screenshots();
+    void tell_step_not_held();
     void do_work();
     void poll_behind_work();
 
@@ -60,6 +61,7 @@ class App {
     Dialogs dialogs_;
     Layout layout_;
     std::string journal_trouble_;  // as last shown
+    std::uint64_t steps_seen_;     // the session's steps_made()
     std::uint64_t programs_seen_ = 0;  // compiled when memory was last given back
     std::chrono::steady_clock::time_point memory_given_{};
     double x_ = -1, y_ = -1;       // of the pointer, window pixels

@@ -54,25 +54,16 @@ void Desk::set_camera(const Camera& camera) {
     if (attempt([&] { session.set_camera(camera); })) live.in_motion();
 }
 
-void Desk::undo() {
+void Desk::take_step(bool forth) {
     attempt([&] {
+        if (!(forth ? session.can_redo() : session.can_undo()))
+            return toasts.info(forth ? "Nothing to redo" : "Nothing to undo");
         const std::uint64_t before = session.surface_revision();
-        if (session.undo()) {
-            if (session.surface_revision() != before) live.restart();
-        } else {
-            toasts.info("Nothing to undo");
-        }
-    });
-}
-
-void Desk::redo() {
-    attempt([&] {
-        const std::uint64_t before = session.surface_revision();
-        if (session.redo()) {
-            if (session.surface_revision() != before) live.restart();
-        } else {
-            toasts.info("Nothing to redo");
-        }
+        work = LongWork{forth ? "Redoing" : "Undoing",
+                        [this, forth](const Advance& advance) { forth ? session.redo(advance) : session.undo(advance); },
+                        [this, before] {
+                            if (session.surface_revision() != before) live.restart();
+                        }};
     });
 }
 

@@ -98,8 +98,8 @@ class Desk {
     void set(const std::string& key, const SetValue& value);  // settings.h
     void set_exemplar(const std::filesystem::path& path);     // of procedural heights
     void set_camera(const Camera& camera);
-    void undo();
-    void redo();
+    void undo() { take_step(false); }  // between two frames
+    void redo() { take_step(true); }
     void save();  // asks for a path where there is none yet
     // Between two frames; then `done` or, in the place of a message, `failed`.
     void save_to(const std::filesystem::path& path, const std::function<void()>& done = {},
@@ -153,6 +153,7 @@ class Desk {
     bool attempt(const std::function<void()>& command);
 
   private:
+    void take_step(bool forth);
     void turn_light(const glm::dmat3& turn);
     void tell_saved(const std::filesystem::path& path, const SaveWith& with);
     // Where the scene would be opened again without these files, one with them, among the recent ones.

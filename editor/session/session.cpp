@@ -112,44 +112,16 @@ bool Session::in_stroke() const {
     return state_->sculptor->in_stroke();
 }
 
-bool Session::undo() {
-    State& s = *state_;
-    s.require_no_stroke();
-    if (!s.sculptor->can_undo()) return false;
-    const std::uint64_t before = surface_revision();
-    s.apply([&] { return s.sculptor->undo(); },
-            [&] {
-                s.undo_step();
-                s.recorder->record(UndoOp{});
-            });
-    if (surface_revision() != before) s.restart_image();
-    return true;
-}
-
-bool Session::redo() {
-    State& s = *state_;
-    s.require_no_stroke();
-    if (!s.sculptor->can_redo()) return false;
-    const std::uint64_t before = surface_revision();
-    s.apply([&] { return s.sculptor->redo(); },
-            [&] {
-                s.redo_step();
-                s.recorder->record(RedoOp{});
-            });
-    if (surface_revision() != before) s.restart_image();
-    return true;
-}
-
 void Session::change_mask(MaskCommand command, const Advance& advance) {
     State& s = *state_;
     s.require_no_stroke();
     const std::uint64_t steps_before = s.sculptor->steps_made();
     switch (command) {
         case MaskCommand::clear:
-            s.sculptor->clear_mask();
+            s.sculptor->clear_mask(advance);
             break;
         case MaskCommand::invert:
-            s.sculptor->invert_mask();
+            s.sculptor->invert_mask(advance);
             break;
         case MaskCommand::blur:
             s.sculptor->blur_mask(advance);
@@ -204,6 +176,9 @@ void Session::make_colours(int bits) {
 
 bool Session::unsaved() const {
     return state_->steps.unsaved();
+}
+std::uint64_t Session::steps_made() const {
+    return state_->sculptor->steps_made();
 }
 bool Session::can_undo() const {
     return state_->sculptor->can_undo();

@@ -135,9 +135,10 @@ class Session {
     void end_stroke();
     void cancel_stroke();
     bool in_stroke() const;
-    bool undo();  // false: nothing to undo
-    bool redo();
-    // One undo step. `advance` may stop a blur: then all is as it was.
+    // False: nothing to undo. `advance` may stop it, and what follows: then all is as it was.
+    bool undo(const Advance& advance = {});
+    bool redo(const Advance& advance = {});
+    // One undo step.
     void change_mask(MaskCommand command, const Advance& advance = {});
     // A colour map of the map's size, filled with the material's albedo, that the renderer shows in the
     // albedo's place. No undo step. std::invalid_argument where there is one already, on bits other than 8
@@ -173,6 +174,9 @@ class Session {
     bool revert(const Advance& advance = {});
 
     bool unsaved() const;  // map, colour map or mask differs from what was last saved or loaded
+    // Steps so far that changed anything, those included that the undo memory does not hold: of them, can_undo()
+    // is false at once.
+    std::uint64_t steps_made() const;
     bool can_undo() const;
     bool can_redo() const;
     std::size_t undo_bytes() const;

@@ -86,20 +86,6 @@ void Session::confirm_saved(const fs::path& path, const SaveWith& with) {
     s.recorder->record(op);
 }
 
-bool Session::revert(const Advance& advance) {
-    const bool ahead = state_->steps.saved_is_ahead();
-    if (!ahead && !state_->steps.saved_is_behind()) return false;
-    const double steps = static_cast<double>(std::max<std::size_t>(1, state_->steps.steps_to_saved()));
-    for (int taken = 0; unsaved(); ++taken) {
-        const bool stopped = advance && !advance(std::min(taken / steps, 1.0));
-        if (!stopped && (ahead ? redo() : undo())) continue;
-        for (; taken > 0; --taken) ahead ? undo() : redo();  // stopped, or the way is cut off: leave all as it was
-        if (stopped) throw Stopped("Reverting was stopped; all is as it was");
-        return false;
-    }
-    return true;
-}
-
 std::optional<fs::path> Session::colour_path() const {
     const fs::path& file = state_->colours.file();
     return file.empty() ? std::nullopt : std::optional(file);

@@ -72,6 +72,15 @@ struct Session::State {
         view->upload_colours(colours.view(), painted, times);
     }
 
+    // What a step changed.
+    struct Change {
+        std::vector<TexelRect> heights, painted;
+    };
+    // Undo and redo; session_steps.cpp.
+    bool take_step(bool forth, const Advance& advance);
+    Change swap_step(bool forth);
+    void show(const Change& change, const Advance& advance, Change& shown);  // `shown`: of it, when stopped, too
+
     // `write` writes `path`. Where the session began with that, the recovery journal keeps it first.
     void replace_file(const fs::path& path, const std::function<void()>& write) {
         for (const auto& [which, start] : start_files())

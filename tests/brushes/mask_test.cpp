@@ -151,6 +151,36 @@ TEST(Mask, a_stopped_blur_leaves_mask_and_undo_as_they_were) {
     EXPECT_EQ(plane.sculptor.mask()->hash(), hash);
 }
 
+// A mask of 16384 x 16384 texels, inverted, would not fit into the undo memory else.
+TEST(Mask, where_it_is_even_a_step_takes_hardly_any_memory) {
+    Plane plane(512);
+    plane.sculptor.invert_mask();
+    const std::uint64_t all = plane.sculptor.mask()->hash();
+    constexpr std::size_t kTiles = 64, kTile = 8192;
+    EXPECT_LT(plane.sculptor.undo_bytes(), kTiles * 64);
+    tap(plane.sculptor, plane.surface, brush_of(Tool::mask, 0.01f), {0.5, 0.5});  // protected already
+    Brush freeing = brush_of(Tool::mask, 0.01f);
+    freeing.invert = true;
+    tap(plane.sculptor, plane.surface, freeing, {0.3, 0.3});
+    const std::uint64_t freed = plane.sculptor.mask()->hash();
+    plane.sculptor.invert_mask();
+    const std::uint64_t inverted = plane.sculptor.mask()->hash();
+    const std::size_t bytes = plane.sculptor.undo_bytes();
+    EXPECT_LT(bytes, 2 * kTiles * 64 + 3 * kTile);
+    for (const std::uint64_t hash : {freed, all}) {
+        plane.sculptor.undo();
+        EXPECT_EQ(plane.sculptor.mask()->hash(), hash);
+        EXPECT_EQ(plane.sculptor.undo_bytes(), bytes);
+    }
+    plane.sculptor.undo();
+    EXPECT_TRUE(std::ranges::all_of(plane.sculptor.mask()->texels(), [](std::uint16_t t) { return t == 0; }));
+    for (const std::uint64_t hash : {all, freed, inverted}) {
+        plane.sculptor.redo();
+        EXPECT_EQ(plane.sculptor.mask()->hash(), hash);
+        EXPECT_EQ(plane.sculptor.undo_bytes(), bytes);
+    }
+}
+
 TEST(Mask, strokes_and_commands_are_undone_in_turn_with_the_map) {
     Plane plane;
     const std::uint64_t bare = plane.map.hash();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include "editor/session/render_output.h"
@@ -170,6 +171,40 @@ TEST_F(Live, EveryStageOfADabIsTimed) {
     EXPECT_GT(session.times().trace_ms, 0);
     session.cancel_stroke();
     EXPECT_FALSE(session.unsaved());
+}
+
+TEST_F(Live, AStoppedUndoOrRedoLeavesMapColoursPictureAndJournalAsTheyWere) {
+    SessionOptions options = on_device();
+    options.journal = folder_.path() / "live.jsonl";
+    Session session(scene_, options);
+    session.make_colours(8);
+    session.brush().paint = Paint::both;
+    test::sculpt(session, 3);
+    const auto state = [&] {
+        Renderer& renderer = session.renderer();
+        renderer.restart();
+        renderer.render();
+        return std::tuple(session.map().hash(), session.colours()->hash(), renderer.read_back(Layer::beauty),
+                          renderer.read_back(Layer::depth), test::read_text(options.journal), session.can_undo());
+    };
+    const auto stop_at = [](int last) -> Advance {
+        return [last, asked = 0](double) mutable { return ++asked < last; };
+    };
+    constexpr int kTimes = 3;  // before all, before the heights are shown, and before the colours are
+    const auto done = state();
+    for (int last = 1; last <= kTimes; ++last) {
+        EXPECT_THROW(session.undo(stop_at(last)), Stopped) << last;
+        EXPECT_EQ(state(), done) << last;
+    }
+    EXPECT_TRUE(session.undo(stop_at(kTimes + 1)));
+    const auto undone = state();
+    EXPECT_NE(undone, done);
+    for (int last = 1; last <= kTimes; ++last) {
+        EXPECT_THROW(session.redo(stop_at(last)), Stopped) << last;
+        EXPECT_EQ(state(), undone) << last;
+    }
+    EXPECT_TRUE(session.redo(stop_at(kTimes + 1)));
+    EXPECT_EQ(session.map().hash(), std::get<0>(done));
 }
 
 TEST_F(Live, WhatChangesTheMaskAloneKeepsThePicturesSamples) {
