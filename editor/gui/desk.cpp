@@ -228,6 +228,7 @@ void Desk::show_mask(bool wanted) {
 
 void Desk::change_mask(MaskCommand command) {
     attempt([&] {
+        session.require_map("mask");
         work = LongWork{"Changing the mask",
                         [this, command](const Advance& advance) { session.change_mask(command, advance); }};
     });

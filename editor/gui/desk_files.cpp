@@ -32,10 +32,15 @@ void Desk::save_to(const std::filesystem::path& path, const std::function<void()
 }
 
 void Desk::tell_saved(const std::filesystem::path& path, const SaveWith& with) {
-    const std::filesystem::path& colours = with.colours;
-    std::string text = "Saved " + path.string();
-    if (!colours.empty()) text += (with.mask.empty() ? " and " : ", ") + colours.filename().string();
-    if (!with.mask.empty()) text += " and the mask";
+    std::string text = "Saved ";
+    int left = with.map + !with.colours.empty() + !with.mask.empty();
+    const auto tell = [&](const std::filesystem::path& file, bool first) {
+        text += first ? file.string() : file.filename().string();
+        if (--left > 0) text += left == 1 ? " and " : ", ";
+    };
+    if (with.map) tell(path, true);
+    if (!with.colours.empty()) tell(with.colours, !with.map);
+    if (!with.mask.empty()) tell(with.map || !with.colours.empty() ? "the mask" : with.mask, true);
     toasts.info(text);
     offer_scene_of(path, session.colours() ? session.colour_path().value_or("") : "");
 }

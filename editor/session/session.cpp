@@ -127,7 +127,7 @@ void Session::change_mask(MaskCommand command, const Advance& advance) {
             s.sculptor->blur_mask(advance);
             break;
     }
-    if (s.sculptor->steps_made() > steps_before) s.add_step(false, true);
+    if (s.sculptor->steps_made() > steps_before) s.add_step(false, false, true);
     s.recorder->record(MaskOp{command});
 }
 
@@ -159,7 +159,7 @@ void Session::bake(const ImageSize& size, const Advance& advance) {
     HeightMap map = relievo::bake(*s.source, size, advance);
     s.take_heights(baked_displacement(s.displacement(), {}),
                    LoadedMap{std::move(map), {}, MapFormat::tiff16, nullptr});
-    s.add_step(false, false);
+    s.add_step(true, false, false);
     s.recorder->record(BakeOp{size});
 }
 

@@ -52,6 +52,7 @@ struct StageTimes {  // milliseconds of the last dab or frame
 // Where a save writes what is not the map. Empty: not at all, and that stays unsaved.
 struct SaveWith {
     std::filesystem::path colours = {}, mask = {};
+    bool map = true;  // false: the map's file holds it already, and stays untouched
 };
 
 class Session {
@@ -149,14 +150,14 @@ class Session {
     // Procedural heights become a map of that many texels, to be sculpted; there is no way back but to open the scene
     // again. Undo steps end here. std::invalid_argument when the heights are a map, or cannot be baked (bake.h).
     void bake(const ImageSize& size, const Advance& advance = {});
-    // Writes the map. The extension names the format; metadata and exact values of the file that was loaded
+    // Writes the map and what `with` says. The extension names the format; metadata and exact values of the file that was loaded
     // are kept where the format is the same. std::invalid_argument when it cannot be written (the old file
     // stays whole), and while the heights are procedural. Colour map and mask are written first; a mask that
     // protects nothing has no file, and one that is there goes. `advance` may stop this and the two exports below.
     void save(const std::filesystem::path& path, const SaveWith& with, const Advance& advance = {});
     void save(const std::filesystem::path& path) { save(path, save_with(path)); }
-    // All that is to be saved with the map.
-    SaveWith save_with(const std::filesystem::path& map) const { return {colour_path_for(map), mask_path_for(map)}; }
+    // All that is to be saved with the map; where that is as its file has it, the rest alone.
+    SaveWith save_with(const std::filesystem::path& map) const;
     // Where save() writes the colour map when it writes the map to `map`: its own file where the map goes to
     // its own, else a new NAME_colour.png (or the ending that it has) beside it. Empty where there is nothing
     // to write: no colour map, or one that its file holds already.

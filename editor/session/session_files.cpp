@@ -1,4 +1,4 @@
-// What a session saves, exports and goes back to.
+// What a session saves and exports.
 #include <algorithm>
 #include <stdexcept>
 
@@ -13,9 +13,9 @@ void Session::save(const fs::path& path, const SaveWith& with, const Advance& ad
     const MapFormat named = format_of(path);
     const bool both_exr = named == MapFormat::exr_float && s.file.format == MapFormat::exr_half;
     const MapFormat format = both_exr ? MapFormat::exr_half : named;
-    const double begin = with.colours.empty() ? 0 : 0.5;  // of the mask's share
-    const double rest = with.mask.empty() ? begin : begin + (1 - begin) / 2;
-    s.replace_file(path, [&] {
+    const double share = 1.0 / std::max(1, !with.colours.empty() + !with.mask.empty() + with.map);
+    const double begin = with.colours.empty() ? 0 : share, rest = with.mask.empty() ? begin : begin + share;
+    const auto write_the_rest = [&] {
         if (!with.colours.empty()) {
             if (!s.colours.there())
                 throw std::invalid_argument(with.colours.string() + ": there is no colour map to save");
@@ -24,10 +24,26 @@ void Session::save(const fs::path& path, const SaveWith& with, const Advance& ad
         }
         if (!with.mask.empty())
             s.replace_file(with.mask, [&] { save_mask(mask(), with.mask, within(advance, begin, rest)); });
+    };
+    const auto write_all = [&] {
+        write_the_rest();
         const MapOrigin* origin = format == s.file.format ? s.file.origin.get() : nullptr;
         save_map(s.file.map, path, format, s.file.range, origin, within(advance, rest, 1));
-    });
+    };
+    with.map ? s.replace_file(path, write_all) : write_the_rest();
     confirm_saved(path, with);
+}
+
+bool Session::State::is_in_its_file(const fs::path& map) const {
+    std::error_code ignored;
+    return starts_as_file && !height_steps.unsaved() && is_own_map(map) && fs::exists(map, ignored);
+}
+
+SaveWith Session::save_with(const fs::path& map) const {
+    SaveWith with{colour_path_for(map), mask_path_for(map)};
+    const bool more = !with.colours.empty() || !with.mask.empty();
+    with.map = !more || !state_->is_in_its_file(map);
+    return with;
 }
 
 bool Session::State::is_own_map(const fs::path& map) const {
@@ -82,7 +98,11 @@ void Session::confirm_saved(const fs::path& path, const SaveWith& with) {
         s.mask_steps.mark_saved();
         op.mask = mask_hash();
     }
-    if (!s.colour_steps.unsaved() && !s.mask_steps.unsaved()) s.steps.mark_saved();
+    if (with.map) {
+        s.height_steps.mark_saved();
+        s.starts_as_file = true;
+    }
+    if (!s.height_steps.unsaved() && !s.colour_steps.unsaved() && !s.mask_steps.unsaved()) s.steps.mark_saved();
     s.recorder->record(op);
 }
 

@@ -37,6 +37,7 @@ Session::State::State(const fs::path& scene_file, const SessionOptions& given)
     make_surface();
     brush.radius = scene.objects.front().mesh.sphere_radius * 0.1f;
     if (!displacement().map.empty()) map_path = displacement().map;
+    starts_as_file = options.map.empty();
     const bool recording = !options.journal.empty() || options.recovery;
     header.version = std::string(RELIEVO_VERSION);
     header.scene = scene.path;

@@ -93,6 +93,7 @@ struct Session::State {
         return {{{BaseFile::map, start_map}, {BaseFile::colours, colours.start_file()}, {BaseFile::mask, start_mask}}};
     }
     bool is_own_map(const fs::path& map) const;  // where save() last wrote it or it came from
+    bool is_in_its_file(const fs::path& map) const;  // as it is now
     static bool is_file(const fs::path& file, const fs::path& other) {
         std::error_code ignored;
         return !file.empty() && fs::equivalent(file, other, ignored);
@@ -104,16 +105,18 @@ struct Session::State {
                point.b2 <= Dab::kBarycentricOne - point.b1;
     }
     // Of procedural heights nothing can be saved, a mask of the exemplar no more than the rest.
-    void add_step(bool changes_colours, bool changes_mask) {
+    void add_step(bool changes_heights, bool changes_colours, bool changes_mask) {
         steps.add(!changes_mask || !source);
+        height_steps.add(changes_heights);
         colour_steps.add(changes_colours);
         mask_steps.add(changes_mask && !source);
     }
+    std::array<Steps*, 4> all_steps() { return {&steps, &height_steps, &colour_steps, &mask_steps}; }
     void undo_step() {
-        for (Steps* each : {&steps, &colour_steps, &mask_steps}) each->undo();
+        for (Steps* each : all_steps()) each->undo();
     }
     void redo_step() {
-        for (Steps* each : {&steps, &colour_steps, &mask_steps}) each->redo();
+        for (Steps* each : all_steps()) each->redo();
     }
 
     void opened(double part) const { tell(options.opening, part, "Opening was stopped"); }  // by the constructor
@@ -140,7 +143,8 @@ struct Session::State {
     JournalHeader header;
     std::unique_ptr<Recorder> recorder;
     std::optional<fs::path> map_path;
-    Steps steps, colour_steps, mask_steps;  // of all, of the colours and of the mask alone
+    Steps steps, height_steps, colour_steps, mask_steps;  // of all, and of each alone
+    bool starts_as_file = true;  // the state that height_steps began with, or was saved, is the file's
     Brush brush;
     StrokeSettings stroke_settings;
     std::shared_ptr<const Alpha> alpha;  // of stamp

@@ -112,7 +112,7 @@ void Session::end_stroke() {
     s.apply([&] { return s.sculptor->end(); },
             [&] {
                 if (s.sculptor->steps_made() > steps_before)
-                    s.add_step(paints(s.stroke.brush), s.masks());
+                    s.add_step(sculpts(s.stroke.brush) && !s.masks(), paints(s.stroke.brush), s.masks());
                 if (s.stroke.alpha) s.recorder->keep_alpha(*s.alpha);
                 s.recorder->record(s.stroke);
             });

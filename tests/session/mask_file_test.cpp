@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <functional>
@@ -71,6 +72,46 @@ TEST_F(MaskFile, AMaskIsUnsavedUntilItIsSavedAndComesBackWithTheMap) {
         EXPECT_TRUE(file.texels()[i] < 65535 || session.map().texels()[i] == before[i]) << i;
 }
 
+TEST_F(MaskFile, SavedAloneWhereTheMapIsAsItsFileHasIt) {
+    const auto state = [&] { return std::pair(fs::last_write_time(at("map.tif")), test::read_text(at("map.tif"))); };
+    SessionOptions options = opening();
+    options.journal = at("live.jsonl");
+    Session session(scene_, options);
+    sculpt(session, 2);
+    session.save(at("map.tif"));
+    fs::last_write_time(at("map.tif"), fs::file_time_type::clock::now() - std::chrono::hours(1));
+    const auto saved = state();
+    sculpt(session, 3, 6, Tool::mask);
+    sculpt(session, 4);
+    session.undo();
+    session.save(at("map.tif"));
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_EQ(load_mask(file_, 64, 64).hash(), session.mask()->hash());
+    EXPECT_EQ(state(), saved) << "the map was written again";
+    session.redo();  // a stroke on the map
+    EXPECT_TRUE(session.unsaved());
+    session.change_mask(MaskCommand::invert);
+    session.save(at("map.tif"));
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_NE(state().second, saved.second);
+    sculpt(session, 5, 6, Tool::mask);
+    fs::remove(at("map.tif"));
+    session.save(at("map.tif"));
+    EXPECT_TRUE(fs::exists(at("map.tif"))) << "another program took it away";
+    Session again(scene_, test::headless());
+    EXPECT_EQ(again.map().hash(), session.map().hash());
+}
+
+TEST_F(MaskFile, IsWrittenWithTheMapWhereTheSessionBeganWithAnother) {
+    save_map(HeightMap(64, 64, 12345), at("kept.tif"), MapFormat::tiff16);
+    SessionOptions options = opening();
+    options.map = at("kept.tif");  // as a restore does
+    Session session(scene_, options);
+    sculpt(session, 3, 6, Tool::mask);
+    session.save(at("map.tif"));
+    EXPECT_EQ(load_map(at("map.tif")).map.hash(), session.map().hash());
+}
+
 TEST_F(MaskFile, WhatProtectsNothingLeavesNoFile) {
     {
         Session session(scene_, opening());
@@ -125,6 +166,7 @@ TEST_F(MaskFile, AMapOpensWithoutAMaskThatCannotBeHadAndSaysSo) {
 
 TEST_F(MaskFile, AStoppedSaveLeavesTheMaskUnsaved) {
     Session session(scene_, opening());
+    sculpt(session, 1);
     sculpt(session, 3, 6, Tool::mask);
     int calls = 0;
     const Advance late = [&](double part) { return ++calls, part < 0.5; };  // the map's part
