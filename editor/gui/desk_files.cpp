@@ -105,7 +105,10 @@ void Desk::open_files(const std::vector<std::filesystem::path>& paths) {
 void Desk::save_picture(const std::filesystem::path& path) {
     attempt([&] {
         work = LongWork{"Saving " + path.filename().string(),
-                        [this, path](const Advance& advance) {
+                        [this, path](const Advance& all) {
+                            constexpr double kTraced = 0.3;  // part of the time, about
+                            live.come_to_rest(within(all, 0, kTraced));
+                            const Advance advance = within(all, kTraced, 1);
                             // A view of layers leaves the light as it was.
                             const bool no_light = shows_layers(live.view());
                             if (is_png(path) && no_light) return write_png(path, live.layers(), advance);

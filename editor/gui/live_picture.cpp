@@ -114,11 +114,15 @@ std::vector<RenderPart> LivePicture::parts() {
 
 DisplayPicture LivePicture::layers() const {
     const LayerImage &first = panes_.front()->layers(), &last = panes_.back()->layers();
-    if (first.size() != last.size())
-        throw std::invalid_argument("The picture's parts differ in size while it moves; save it at rest");
+    if (first.size() != last.size()) throw std::logic_error("LivePicture::layers in motion");
     DisplayPicture picture{first.size().width, first.size().height, first.rgba()};
     if (is_split()) put_columns(picture, last.rgba(), middle(), picture.width);
     return picture;
+}
+
+void LivePicture::come_to_rest(const Advance& advance) {
+    constexpr double kTurnMs = 30;
+    for (; progress() < 1; work(kTurnMs)) tell(advance, progress(), "Stopped: the picture was not saved");
 }
 
 double LivePicture::to_renderer_x(double x) const {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "brushes/advance.h"
 #include "editor/gui/live_pane.h"
 #include "editor/session/live_reference.h"
 #include "editor/session/render_output.h"
@@ -45,8 +46,10 @@ class LivePicture {
     int divider_px() const;
     Renderer& renderer_at(double x);  // x: pixels on screen
     std::vector<RenderPart> parts();   // what is seen, in the renderers' pixels
-    // Of a view that shows layers, what is seen. Throws std::invalid_argument where the panes differ in size: in motion.
+    // Of a view that shows layers, what is seen; the panes must have one size.
     DisplayPicture layers() const;
+    // Traces until every pixel is as the surface is now and both panes have their full size, as after a motion.
+    void come_to_rest(const Advance& advance);
 
     // From pixels on screen, relative to the picture's corner, to those of the session's renderer.
     double to_renderer_x(double x) const;

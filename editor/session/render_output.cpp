@@ -165,7 +165,7 @@ void write_render(std::span<const RenderPart> parts, const std::filesystem::path
     const int width = parts.front().renderer->width(), height = parts.front().renderer->height();
     for (const RenderPart& part : parts)
         if (part.renderer->width() != width || part.renderer->height() != height)
-            throw std::invalid_argument(path.string() + ": the picture's parts differ in size while it moves; save it at rest");
+            throw std::invalid_argument(path.string() + ": the picture's parts differ in size");
     const std::string stopped = not_written(path.string());
     tell(advance, 0, stopped);
     if (is_png(path)) return write_png(path, display_picture(parts), advance);

@@ -52,5 +52,28 @@ TEST_F(LivePictures, AViewOfLayersIsSavedAsItIsSeenOfBothMethodsAndAfterEveryStr
     EXPECT_EQ(live.parts()[1].x0, 36);
 }
 
+TEST_F(LivePictures, ComeToRestAfterAMotionInWhichTheMethodsDifferInSize) {
+    Session session(test::write_scene(folder_.path()), on_device());
+    LiveReference reference(session, [] {});
+    LivePicture live(session, reference, VK_FORMAT_R8G8B8A8_UNORM);
+    live.resize({96, 72});
+    live.compare_with(MethodChoice{"march", {{"steps", 10}}});
+    const auto path = folder_.path() / "both.png";
+    for (const View view : {View::normals, View::beauty}) {
+        live.set_view(view);
+        live.in_motion();
+        live.parts()[1].renderer->resize(48, 36);
+        EXPECT_THROW(live.come_to_rest([](double) { return false; }), Stopped);
+        live.come_to_rest({});
+        EXPECT_EQ(live.progress(), 1);
+        for (const RenderPart& part : live.parts()) {
+            EXPECT_EQ(part.renderer->width(), 96);
+            EXPECT_EQ(part.renderer->height(), 72);
+        }
+        if (shows_layers(view)) EXPECT_EQ(live.layers().width, 96);
+        write_render(live.parts(), path, {});
+    }
+}
+
 }  // namespace
 }  // namespace relievo::gui
