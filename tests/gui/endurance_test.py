@@ -104,7 +104,7 @@ def a_press_that_waits_for_a_save_is_no_long_one(case):
 
 def a_picture_being_saved_can_be_stopped_and_keeps_its_size(case):
     case.desktop = Desktop(case.folder, 2560, 1600)
-    slow = ("--set", "dt=0.0002", "--method", "pdm")  # its layers take seconds
+    slow = ("--set", "dt=0.002", "--method", "pdm")  # its layers take seconds
     editor = case.editor = Editor(case.desktop, case.relievo, case.scene, case.folder, case.journal, slow)
     editor.screenshot()
     case.desktop.do("mousemove", 300, 30)
