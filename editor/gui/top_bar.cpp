@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "editor/gui/panels.h"
 #include "editor/gui/theme.h"
@@ -31,12 +33,28 @@ void divider() {
     ImGui::SameLine(0, points(10));
 }
 
+// Names, and as much of the ends of their folders as has room beside the menu: a list that is too wide would lie over
+// the menu, with an entry under the pointer that opened it.
 void recent_menu(Desk& desk) {
+    const float least = points(60), most = points(560), frame = points(100);
+    const float beside = ImGui::GetMainViewport()->Size.x - ImGui::GetWindowPos().x - ImGui::GetWindowWidth() - frame;
     if (!ImGui::BeginMenu("Recent")) return;
-    for (const std::filesystem::path& path : load_preferences().recent) {
+    const auto width_of = [](std::string_view text) {
+        return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+    };
+    const std::vector<std::filesystem::path> recent = load_preferences().recent;
+    float names = 0;
+    for (const std::filesystem::path& path : recent) names = std::max(names, width_of(path.filename().string()));
+    for (const std::filesystem::path& path : recent) {
         std::error_code ignored;
-        if (ImGui::MenuItem(path.string().c_str(), nullptr, false, std::filesystem::exists(path, ignored)))
+        const std::string whole = path.string(), name = path.filename().string();
+        const float room = std::min(beside, most) - names;
+        const std::string folder = room < least ? "" : fitting_end(path.parent_path().string(), room, width_of);
+        ImGui::PushID(whole.c_str());
+        if (ImGui::MenuItem(name.c_str(), folder.c_str(), false, std::filesystem::exists(path, ignored)))
             desk.open_file(path);
+        tooltip(whole);
+        ImGui::PopID();
     }
     ImGui::EndMenu();
 }

@@ -498,7 +498,7 @@ def finish_and_replay(case, editor):
 def first_start_opens_the_sample_with_a_hint(case):
     case.desktop = Desktop(case.folder)
     case.editor = Editor(case.desktop, case.relievo, None, case.folder, case.journal,
-                         preferences={"first_hint_seen": False})
+                         preferences={"first_hint_seen": False, "recent": ["/long" * 40 + "/name.json"]})
     case.editor.screenshot()
     case.desktop.do("mousemove", 300, 30)
     before = case.desktop.settled_screen()
@@ -517,6 +517,17 @@ def first_start_opens_the_sample_with_a_hint(case):
     assert difference(before, case.desktop.settled_screen(), hint) > 2, "the hint did not go away"
     assert case.preferences()["first_hint_seen"], case.preferences()
     assert case.preferences()["recent"][0].endswith("asteroid.json"), case.preferences()
+    # The list of recent files lies beside its menu, however long their paths are.
+    case.desktop.drag([(29, 22)] * 2)
+    case.editor.screenshot()
+    folded = case.desktop.screen()
+    case.desktop.do("mousemove", 84, 97)
+    case.editor.screenshot()
+    unfolded = case.desktop.screen()
+    assert difference(folded, unfolded, (290, 88, 400, 150)) > 2, "no list"
+    assert difference(folded, unfolded, (22, 66, 100, 82)) < 1, "the list lies over its menu"
+    case.desktop.key("Escape")
+    case.desktop.key("Escape")
     case.desktop.key("ctrl+z")  # nothing is unsaved then
     wait_for("the undo", lambda: operations(case.journal)[-1]["op"] == "undo")
     case.desktop.key("ctrl+q")
