@@ -25,7 +25,7 @@ void clone(const Work& work) {
     const TangentFrame here =
         tangent_frame(source.base_normal, turned(there.right, glm::dvec3(work.place.hand)));
     const Relief relief(work, source, work.place.radius);
-    in_ball(work, [&](const Work& part, const SurfaceTexel& texel) {
+    in_trail(work, [&](const Work& part, const SurfaceTexel& texel) {
         const float weight = part.weight(texel);
         if (weight == 0.0f || !(glm::dot(texel.normal, target.base_normal) > 0.0f)) return;
         const glm::dvec3 offset = glm::dvec3(base_of(part, texel)) - glm::dvec3(target.base);

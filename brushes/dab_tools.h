@@ -33,6 +33,8 @@
 //            laid on that at the source, turned as the dab says.
 //   grab     moves what the first dab held by s * f of the hand's drag, its relief along the surface and its
 //            height by the drag's part along the normal.
+// Where the largest counts (level, erase, mask, clone; draw, inflate and noise without accumulate), the distance is that
+// from the way since the last dab (dab_trail.h).
 // What a stroke paints stands in brushes/paint_stroke.h; invert does not turn colours.
 // invert turns draw, stamp, inflate, noise, clay, crease, pinch and mask round. Where the mask protects a
 // texel, s is less by as much. No tool but mask does anything where the amplitude is 0, not finite, or so

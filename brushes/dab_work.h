@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brushes/dab_tools.h"
+#include "brushes/dab_trail.h"
 #include "brushes/seams.h"
 #include "brushes/shared_work.h"
 
@@ -107,6 +108,21 @@ void in_ball(const Work& work, const Each& each) {
     const DabPlace& place = work.place;
     work.surface.visit_ball(place.centre.position, place.radius, [&](std::span<const SurfaceTexel> texels) {
         in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) { each(part, texels[i]); });
+    });
+}
+
+// The same for tools that keep the strongest of a stroke's dabs: every texel has its distance from the dab's trail.
+template <typename Each>
+void in_trail(const Work& work, const Each& each) {
+    const DabPlace& place = work.place;
+    const DabTrail trail(place.centre.position, place.motion, place.radius);
+    if (trail.is_point()) return in_ball(work, each);
+    work.surface.visit_ball(trail.middle(), trail.reach(place.radius), [&](std::span<const SurfaceTexel> texels) {
+        in_blocks(work, texels.size(), [&](const Work& part, std::size_t i) {
+            SurfaceTexel texel = texels[i];
+            texel.distance = trail.distance(texel.position);
+            if (texel.distance < place.radius) each(part, texel);
+        });
     });
 }
 

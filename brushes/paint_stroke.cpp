@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "brushes/copy_changes.h"
+#include "brushes/dab_trail.h"
 #include "brushes/dab_work.h"
 #include "brushes/pressed_image.h"
 #include "brushes/shared_work.h"
@@ -58,9 +59,12 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
         const glm::vec3 centre = place.centre.position;
         std::optional<PressedImage> image;
         std::vector<Weight> own;
+        const DabTrail trail(centre, piles_up_ || alpha_ ? glm::vec3(0) : place.motion, place.radius);
         const auto weigh = [&](std::span<const SurfaceTexel> texels) {
             for (const SurfaceTexel& t : texels) {
-                const float falloff = falloff_weight(brush_, std::min(t.distance / place.radius, 1.0f));
+                const float distance = trail.is_point() ? t.distance : trail.distance(t.position);
+                if (!(distance < place.radius)) continue;
+                const float falloff = falloff_weight(brush_, std::min(distance / place.radius, 1.0f));
                 const float free = mask ? 1.0f - static_cast<float>(mask->at(t.x, t.y)) / kTop : 1.0f;
                 const float shown = image ? std::clamp(image->at(t), 0.0f, 1.0f) : 1.0f;
                 const float weight = brush_.strength * pressure * falloff * free * shown;
@@ -73,7 +77,7 @@ std::vector<PaintStroke::Weight> PaintStroke::weights(std::span<const Place> pla
             image.emplace(*alpha_, place.centre, place.radius, place.right, brush_.rotation, texels.size());
             weigh(texels);
         } else {
-            place.surface.visit_ball(centre, place.radius, weigh);
+            place.surface.visit_ball(trail.middle(), trail.reach(place.radius), weigh);
         }
         const std::lock_guard lock(mutex);
         lists.push_back(std::move(own));

@@ -5,8 +5,9 @@
 // takes a texel the fraction w * spacing / kUnitSpacing (at most 1) of the way from the colour it has by now
 // to the brush's, w = strength * pressure * falloff, less by what the mask protects. Where it does not (of
 // the tools that ask: draw, inflate, noise), and for level, a stroke takes it the largest w of the way from
-// the colour that the stroke found. Copies by symmetry count once where they overlap: the largest w. Colours
-// are kept in float through a stroke and quantised once. Smooth does to each channel what it does to heights.
+// the colour that the stroke found, by the distance from the way since the last dab (dab_trail.h). Copies by
+// symmetry count once where they overlap: the largest w. Colours are kept in float through a stroke and
+// quantised once. Smooth does to each channel what it does to heights.
 // Stamp paints through its image: w times the image's value, from 0 to 1; where it accumulates, every press is
 // a whole one.
 #pragma once
@@ -34,6 +35,7 @@ class PaintStroke {
         const Surface& surface;  // as the hand, or the copy, sees it
         SurfacePoint centre;     // in that frame
         float radius;            // of the dab, world units
+        glm::vec3 motion;        // from the last dab, as DabPlace has it
         glm::vec3 right;         // of stamp's image (pressed_image.h)
     };
     // One dab with its copies, `at_once` of them in work at a time (dab_cost.h). `pressure` in [0, 1]; `mask`:

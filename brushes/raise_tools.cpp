@@ -16,16 +16,17 @@ void raise(const Work& work, Part part_of) {
     const Brush& brush = work.brush;
     const double passes = brush.accumulate ? double{brush.spacing} : 1.0;
     const float counts = work.counts(double{kDrawRise} * double{work.place.radius} * passes) * work.sign();
-    in_ball(work, [&](const Work& part, const SurfaceTexel& texel) {
+    const auto raise_texel = [&](const Work& part, const SurfaceTexel& texel) {
         const float weight = part.weight(texel);
         if (weight != 0.0f) part.raise(texel, counts * weight * part_of(texel));
-    });
+    };
+    brush.accumulate ? in_ball(work, raise_texel) : in_trail(work, raise_texel);
 }
 
 // `target_of(texel)`, in counts, is where it moves a texel to.
 template <typename Target>
 void move_to(const Work& work, Target target_of) {
-    in_ball(work, [&](const Work& part, const SurfaceTexel& texel) {
+    in_trail(work, [&](const Work& part, const SurfaceTexel& texel) {
         const float before = static_cast<float>(part.stroke.before(texel.x, texel.y));
         const float change = (target_of(texel) - before) * part.weight(texel);
         if (std::abs(change) > std::abs(part.change(texel))) part.change_to(texel, change);

@@ -45,7 +45,14 @@ struct Sculptor::State {
         std::unique_ptr<TurnedSurface> turned;    // null without symmetry
         std::optional<glm::vec3> last_place;      // of the last dab, world units
         std::optional<glm::dvec3> last_in_world;  // the same in world space, not in its own frame
+        glm::vec3 motion{0};                      // from the dab before to the last one; 0 after a jump
         std::shared_ptr<Hold> hold;
+
+        void move_to(glm::vec3 place, float jump) {
+            motion = last_place ? place - *last_place : glm::vec3(0);
+            if (!(glm::length(motion) < jump)) motion = glm::vec3(0);
+            last_place = place;
+        }
     };
 
     const Surface& surface_of(const Branch& branch) const { return branch.turned ? *branch.turned : surface; }
@@ -167,6 +174,7 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
             motion = place - *last;
         branches[i].last_in_world = place;
         places.push_back({place, motion});
+        branches[i].move_to(centres[i].position, kJump * brush.radius);
     }
     if (!at_once) {
         const bool copied = branches.size() > 1;
@@ -178,7 +186,7 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
     if (paint) {
         std::vector<PaintStroke::Place> hands;
         for (std::size_t i = 0; i < branches.size(); ++i)
-            hands.push_back({surface_of(branches[i]), centres[i], radius, hand});
+            hands.push_back({surface_of(branches[i]), centres[i], radius, branches[i].motion, hand});
         paint->dab(hands, pressure, protection(), *at_once);
         note_painted(paint->take_dirty());
     }
@@ -190,10 +198,7 @@ void Sculptor::State::apply_step(const Dab& dab, Points copies, Points sources, 
     CopyChanges wanted(branches.size(), add_up, *stroke);
     const auto work_out = [&](std::size_t i) {
         Branch& branch = branches[i];
-        glm::vec3 motion = branch.last_place ? centres[i].position - *branch.last_place : glm::vec3(0);
-        if (!(glm::length(motion) < kJump * brush.radius)) motion = glm::vec3(0);
-        branch.last_place = centres[i].position;
-        DabPlace place{centres[i], pressure, radius, motion, drag, share[i], branch.hold};
+        DabPlace place{centres[i], pressure, radius, branch.motion, drag, share[i], branch.hold};
         place.hand = hand;
         place.alpha = alpha.get();
         place.saved = &saved;
