@@ -233,11 +233,12 @@ void App::handle_key(const InputEvent& event) {
     if (event.code == GLFW_KEY_ESCAPE) {
         // Once to sculpt beside the list, again to close it.
         const bool to_end = pointer_.dragging() || desk_.view.brush_drag != BrushDrag::none || desk_.view.asking;
-        if (!to_end && !typing && picture_free()) desk_.why.close();
+        if (!to_end && !typing && picture_free() && !event.repeated) desk_.why.close();
         return pointer_.cancel();
     }
     const bool busy = pointer_.dragging() || typing || !picture_free();
     if (!busy) pointer_.apply_moves();
+    if (event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_KP_ENTER) pointer_.keep_drag();
     on_key(desk_, event, {layout_.picture.width, layout_.picture.height}, busy);
     pointer_stale_ = true;
 }

@@ -26,16 +26,16 @@ constexpr std::array kBindings{
     Binding{"Ctrl + left, pen's eraser", "the opposite: lower in the place of raise"},
     Binding{"Ctrl + left, with clone", "where the relief comes from"},
     Binding{"Shift + left", "smooth; with mask, blur the mask"},
-    Binding{"Esc", "cancel the stroke or the drag"},
+    Binding{"Esc", "cancel the stroke or the drag; so does the right button a drag that a key began"},
     Binding{"1 to 9", "the tools at the left, from the top", GLFW_KEY_1, GLFW_KEY_9, 0,
             [](D& d, const K& k) { d.choose_tool(static_cast<std::size_t>(k.key - GLFW_KEY_1)); }},
     Binding{"Shift + 1 to 9", "the tools below those", GLFW_KEY_1, GLFW_KEY_9, kShift,
             [](D& d, const K& k) { d.choose_tool(static_cast<std::size_t>(k.key - GLFW_KEY_1) + 9); }},
     Binding{"[ and ]", "smaller and larger brush", GLFW_KEY_LEFT_BRACKET, GLFW_KEY_LEFT_BRACKET, 0,
-            [](D& d, const K&) { d.scale_radius(1 / kSizeStep); }},
+            [](D& d, const K&) { d.scale_radius(1 / kSizeStep); }, Binding::repeats},
     Binding{"", "larger", GLFW_KEY_RIGHT_BRACKET, GLFW_KEY_RIGHT_BRACKET, 0,
-            [](D& d, const K&) { d.scale_radius(kSizeStep); }},
-    Binding{"F", "drag the size; click keeps it", GLFW_KEY_F, GLFW_KEY_F, 0,
+            [](D& d, const K&) { d.scale_radius(kSizeStep); }, Binding::repeats},
+    Binding{"F", "drag the size; click or Enter keeps it", GLFW_KEY_F, GLFW_KEY_F, 0,
             [](D& d, const K&) { d.start_drag(BrushDrag::radius); }},
     Binding{"Shift + F", "drag the strength", GLFW_KEY_F, GLFW_KEY_F, kShift,
             [](D& d, const K&) { d.start_drag(BrushDrag::strength); }},
@@ -88,12 +88,13 @@ constexpr std::array kBindings{
             [](D& d, const K&) { d.view.wanted = Dialog::save_as; }},
     Binding{"Ctrl + E", "export the map with a range of values", GLFW_KEY_E, GLFW_KEY_E, kControl,
             [](D& d, const K&) { d.view.wanted = Dialog::export_map; }},
-    Binding{"Ctrl + Z", "undo", GLFW_KEY_Z, GLFW_KEY_Z, kControl, [](D& d, const K&) { d.undo(); }},
+    Binding{"Ctrl + Z", "undo", GLFW_KEY_Z, GLFW_KEY_Z, kControl, [](D& d, const K&) { d.undo(); },
+            Binding::repeats},
     Binding{"Ctrl + Shift + Z, Ctrl + Y", "redo", GLFW_KEY_Z, GLFW_KEY_Z, kControl | kShift,
-            [](D& d, const K&) { d.redo(); }},
-    Binding{"", "redo", GLFW_KEY_Y, GLFW_KEY_Y, kControl, [](D& d, const K&) { d.redo(); }},
+            [](D& d, const K&) { d.redo(); }, Binding::repeats},
+    Binding{"", "redo", GLFW_KEY_Y, GLFW_KEY_Y, kControl, [](D& d, const K&) { d.redo(); }, Binding::repeats},
     Binding{"F12", "screenshot of the window into the working folder", GLFW_KEY_F12, GLFW_KEY_F12, 0,
-            [](D& d, const K&) { d.view.screenshot_wanted = true; }, true},
+            [](D& d, const K&) { d.view.screenshot_wanted = true; }, Binding::always},
     Binding{"Ctrl + Q", "quit", GLFW_KEY_Q, GLFW_KEY_Q, kControl, [](D& d, const K&) { d.leave({}); }},
     Binding{"F1", "this list", GLFW_KEY_F1, GLFW_KEY_F1, 0,
             [](D& d, const K&) { d.view.wanted = Dialog::keys; }},
@@ -108,9 +109,11 @@ std::span<const Binding> bindings() {
 void on_key(Desk& desk, const InputEvent& event, PixelSize picture, bool busy) {
     const int mods = event.mods & (kControl | kShift | GLFW_MOD_ALT);
     for (const Binding& binding : kBindings)
-        if (binding.run && (binding.always || !busy) && event.code >= binding.first &&
-            event.code <= binding.last && mods == binding.mods)
-            return binding.run(desk, {event.code, picture});
+        if (binding.run && (binding.when == Binding::always || !busy) && event.code >= binding.first &&
+            event.code <= binding.last && mods == binding.mods) {
+            if (!event.repeated || binding.when == Binding::repeats) binding.run(desk, {event.code, picture});
+            return;
+        }
 }
 
 }  // namespace relievo::gui

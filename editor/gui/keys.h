@@ -19,7 +19,8 @@ struct Binding {
     int first = 0, last = 0;         // GLFW keys, from first to last; 0: of the mouse, or a heading
     int mods = 0;                    // GLFW_MOD_CONTROL, _ALT and _SHIFT, exactly these
     void (*run)(Desk& desk, const KeyPress& press) = nullptr;
-    bool always = false;  // in a stroke, and while a dialog is open or text is being typed, too
+    enum { once, repeats, always } when = once;  // repeats: as long as it is held; always: in a stroke, and while a
+                                                 // dialog is open or text is being typed, too
 };
 std::span<const Binding> bindings();
 

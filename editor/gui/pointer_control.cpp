@@ -52,12 +52,8 @@ void PointerControl::on_event(const InputEvent& event, const Box& picture, bool 
 }
 
 void PointerControl::on_press(const InputEvent& local) {
-    if (desk_->view.brush_drag != BrushDrag::none) {
-        desk_->view.brush_drag = BrushDrag::none;
-        brush_before_.reset();
-        light_before_.reset();
-        return;
-    }
+    if (desk_->view.brush_drag != BrushDrag::none)
+        return local.code == GLFW_MOUSE_BUTTON_RIGHT ? cancel() : keep_drag();
     const bool alt = local.mods & GLFW_MOD_ALT;
     drag_button_ = local.code;
     camera_before_ = camera_.value_or(desk_->session.scene().camera);
@@ -169,6 +165,12 @@ void PointerControl::drag_brush(double dx, double dy) {
         const double strength = static_cast<double>(brush.strength) + share * kStrengthPerHeight;
         brush.strength = static_cast<float>(std::clamp(strength, 0.0, 1.0));
     }
+}
+
+void PointerControl::keep_drag() {
+    desk_->view.brush_drag = BrushDrag::none;
+    brush_before_.reset();
+    light_before_.reset();
 }
 
 void PointerControl::cancel() {

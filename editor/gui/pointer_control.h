@@ -19,6 +19,8 @@ class PointerControl {
     void on_event(const InputEvent& event, const Box& picture, bool picture_free);
     void cancel();  // Esc: the stroke, or the drag of camera or brush, leaves all as it was
 
+    void keep_drag();  // of the brush or the light, that a key has started: it ends
+
     void rest(std::uint64_t time_us) { stroke_.rest(time_us); }  // no event came until then
 
     bool in_stroke() const { return stroke_.active(); }

@@ -15,13 +15,13 @@ namespace {
 std::string hint(const Desk& desk) {
     switch (desk.view.brush_drag) {
         case BrushDrag::radius:
-            return "Move to size the brush, click to keep it, Esc to leave it as it was";
+            return "Move to size the brush, click to keep it, right-click or Esc to leave it as it was";
         case BrushDrag::strength:
-            return "Move to set the strength, click to keep it, Esc to leave it as it was";
+            return "Move to set the strength, click to keep it, right-click or Esc to leave it as it was";
         case BrushDrag::rotation:
-            return "Move to turn the image, click to keep it, Esc to leave it as it was";
+            return "Move to turn the image, click to keep it, right-click or Esc to leave it as it was";
         case BrushDrag::light:
-            return "Move to turn lights and sky, click to keep it, Esc to leave it as it was";
+            return "Move to turn lights and sky, click to keep it, right-click or Esc to leave it as it was";
         case BrushDrag::none:
             break;
     }

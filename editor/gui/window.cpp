@@ -65,7 +65,13 @@ struct WindowCallbacks {
     static void key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
         Window& window = window_of(handle);
         key = key_on_layout(key, glfwGetKeyName(key, scancode));
-        if (action != GLFW_RELEASE) window.add({InputEvent::Kind::key, 0, 0, 0, key, mods});
+        // What a held key still waits for is not asked for again: its work would go on long after it is let go.
+        const auto waits = [key](const InputEvent& e) { return e.kind == InputEvent::Kind::key && e.code == key; };
+        const bool repeated = action == GLFW_REPEAT, once_more = repeated && std::ranges::any_of(window.events_, waits);
+        if (action != GLFW_RELEASE && !once_more) {
+            window.add({InputEvent::Kind::key, 0, 0, 0, key, mods});
+            window.events_.back().repeated = repeated;
+        }
         if (action == GLFW_PRESS) window.pressed_.push_back(key);
         const auto& pressed = window.pressed_;
         if (action == GLFW_RELEASE && std::find(pressed.begin(), pressed.end(), key) != pressed.end()) {

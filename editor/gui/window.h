@@ -27,6 +27,7 @@ struct InputEvent {
     int code = 0;               // press and release: GLFW mouse button; key: GLFW key
     int mods = 0;               // GLFW_MOD_*
     double scroll = 0;          // notches, up positive
+    bool repeated = false;      // key: it is held
     PenTouch touch{};           // of the pen, or whatever moves the pointer
 };
 

@@ -119,20 +119,38 @@ def a_stroke_that_comes_over_a_panel_pushes_nothing_there(case):
     leave_and_replay(case, case.editor)
 
 
-def size_dragged_in_pixels_goes_back_with_esc(case):
+def drags_of_the_size_go_back_and_held_keys_repeat_what_helps(case):
     editor = case.open(case.journal)
     choose(case, UNIT, 1)
-    first = case.stroke(case.journal)["brush"]["radius"]
-    case.desktop.do("mousemove", *STROKE[0])
-    case.desktop.key("f")
-    case.desktop.do("mousemove", STROKE[0][0] + 150, STROKE[0][1])
-    editor.screenshot()
-    case.desktop.key("Escape")
-    assert case.stroke(case.journal)["brush"]["radius"] < 1.1 * first
+    first = case.stroke(case.journal)["brush"]
+    assert not first.get("mirror_x"), first
+
+    def radius_after_drag(end):
+        case.desktop.do("mousemove", *STROKE[0])
+        case.desktop.key("f")
+        case.desktop.do("mousemove", STROKE[0][0] + 150, STROKE[0][1])
+        editor.screenshot()
+        end()
+        editor.screenshot()
+        return case.stroke(case.journal)["brush"]["radius"]
+
+    assert radius_after_drag(lambda: case.desktop.key("Escape")) < 1.1 * first["radius"]
+    assert radius_after_drag(lambda: case.desktop.do("click", 3)) < 1.1 * first["radius"]
+    larger = radius_after_drag(lambda: case.desktop.key("Return"))
+    assert larger > 1.5 * first["radius"], "Enter keeps it"
+
+    def hold(key, seconds):
+        case.desktop.do("keydown", key, "sleep", seconds, "keyup", key)
+
+    hold("x", 1.5)  # a switch: once
+    hold("bracketleft", 1.5)  # X repeats keys after 0.66 s, 25 times a second
+    last = case.stroke(case.journal)["brush"]
+    assert last.get("mirror_x"), last
+    assert last["radius"] < larger / 3, (larger, last)
     leave_and_replay(case, editor)
 
 
 if __name__ == "__main__":
-    run((a_stroke_that_comes_over_a_panel_pushes_nothing_there, size_dragged_in_pixels_goes_back_with_esc,
+    run((a_stroke_that_comes_over_a_panel_pushes_nothing_there, drags_of_the_size_go_back_and_held_keys_repeat_what_helps,
          erase_goes_back_to_what_was_saved, falloff_is_drawn_by_hand,
          symmetry_is_behind_more_where_the_bar_is_short))
