@@ -1,7 +1,8 @@
 // A low-pass filter over scattered samples in a ball: a coarse world-space grid into which values are
-// splatted trilinearly and from which averages are fetched trilinearly. It knows nothing of texture space, so
-// islands that meet in space are averaged across their seam, whatever their layout. Linear time, one fixed
-// order of additions.
+// splatted trilinearly and from which averages are fetched by quadratic B-splines, whose slope is continuous:
+// trilinear ones bend at the grid's planes, which go along with the brush, so that a stroke of them would leave
+// creases along its way. It knows nothing of texture space, so islands that meet in space are averaged across
+// their seam, whatever their layout. Linear time, one fixed order of additions.
 #pragma once
 
 #include <cstddef>
@@ -25,15 +26,15 @@ class LowPass {
     struct Cell {
         double sum = 0.0, weight = 0.0;
     };
-    struct Stencil {
-        std::size_t corner[8];
-        double weight[8];
-    };
-    Stencil stencil(glm::vec3 position, bool back) const;
+    // In cells from low_, within the grid that holds its neighbours, too.
+    glm::dvec3 place(glm::vec3 position) const;
+    std::size_t index(std::size_t x, std::size_t y, std::size_t z, bool back) const {
+        return (((back ? side_ : 0) + z) * side_ + y) * side_ + x;
+    }
 
     glm::vec3 low_;
     float cell_;
-    int side_;
+    std::size_t side_;
     std::vector<Cell> cells_;
 };
 

@@ -1,6 +1,7 @@
 // Each tool's effect on a flat surface whose right answer is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -214,6 +215,30 @@ TEST(Smooth, noise_goes_and_a_ramp_stays) {
         for (int x = 32; x < 96; ++x)
             worst = std::max(worst, std::abs(ramp.map.at(x, y) - 1.0 * before.at(x, y)));
     EXPECT_LT(worst, 0.01 * 80.0 * 128) << "of a ramp over the whole map";
+}
+
+// The largest change of slope from texel to texel across the stroke's way, in its middle.
+double sharpest_bend(const HeightMap& map) {
+    const int size = map.height(), x = map.width() / 2;
+    double most = 0;
+    for (int y = 1; y + 1 < size; ++y) {
+        double bend = 0;
+        for (int column = x - 8; column < x + 8; ++column)
+            bend += map.at(column, y + 1) - 2.0 * map.at(column, y) + map.at(column, y - 1);
+        most = std::max(most, std::abs(bend) / 16);
+    }
+    return most;
+}
+
+// Averages whose slope jumps at the planes of a grid that goes along with the brush left three along a ridge.
+TEST(Smooth, leaves_no_creases_along_its_way) {
+    Plane plane(512);
+    stroke(plane.sculptor, plane.surface, brush_of(Tool::draw, 0.1f, 0.5f), {0.2, 0.5}, {0.8, 0.5});
+    const double before = sharpest_bend(plane.map);
+    for (int pass = 0; pass < 3; ++pass) {
+        stroke(plane.sculptor, plane.surface, brush_of(Tool::smooth, 0.1f, 0.5f), {0.2, 0.5}, {0.8, 0.5});
+        EXPECT_LT(sharpest_bend(plane.map), 1.2 * before) << pass;  // 2.4 to 3.1 then
+    }
 }
 
 TEST(Smooth, spike_taller_than_the_brush_melts) {
