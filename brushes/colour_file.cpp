@@ -61,13 +61,13 @@ void put_count(std::byte* at, int bits, std::uint16_t count) {
         std::memcpy(at, &count, sizeof count);
 }
 
-// visit(byte offset of a channel in the pixels, channel, x, y)
+// visit(byte offset of a row's first texel in a channel of the pixels, channel, y), from the upper row on.
 template <typename Visit>
-void each_colour(const OIIO::ImageSpec& spec, Visit visit) {
-    std::size_t at = 0;
+void each_row(const OIIO::ImageSpec& spec, Visit visit) {
+    const std::size_t row = static_cast<std::size_t>(spec.width) * texel_bytes(spec);
     for (int y = spec.height - 1; y >= 0; --y)
-        for (int x = 0; x < spec.width; ++x, at += texel_bytes(spec))
-            for (std::size_t k = 0; k < 3; ++k) visit(at + k * spec.format.size(), k, x, y);
+        for (std::size_t k = 0; k < 3; ++k)
+            visit(static_cast<std::size_t>(spec.height - 1 - y) * row + k * spec.format.size(), k, y);
 }
 
 std::string writer_of(const fs::path& path) {
@@ -105,8 +105,9 @@ LoadedColours load_colours(const fs::path& path) {
     std::vector<std::byte> pixels(origin->spec.image_pixels() * texel_bytes(origin->spec));
     read_pixels(name, *image, origin->spec.format, pixels.data());
     ColourMap map(origin->spec.width, origin->spec.height, bits);
-    each_colour(origin->spec, [&](std::size_t at, std::size_t channel, int x, int y) {
-        map.plane(channel).set(x, y, count_at(pixels.data() + at, bits));
+    each_row(origin->spec, [&](std::size_t at, std::size_t channel, int y) {
+        for (int x = 0; x < map.width(); ++x, at += texel_bytes(origin->spec))
+            map.plane(channel).set(x, y, count_at(pixels.data() + at, bits));
     });
     if (origin->spec.nchannels > 3) origin->pixels = std::move(pixels);
     return {std::move(map), std::move(origin)};
@@ -131,10 +132,17 @@ void save_colours(const ColourMap& map, const fs::path& path, const ColourOrigin
     std::vector<std::byte> pixels;
     if (same_size) pixels = origin->pixels;
     pixels.resize(spec.image_pixels() * texel_bytes(spec));
-    each_colour(spec, [&](std::size_t at, std::size_t channel, int x, int y) {
-        put_count(pixels.data() + at, map.bits(), map.plane(channel).at(x, y));
+    constexpr double kPacked = 0.2;  // part of the time, about
+    constexpr int kRows = 64;        // between two times that it is told
+    each_row(spec, [&](std::size_t at, std::size_t channel, int y) {
+        const int done = map.height() - 1 - y;
+        if (channel == 0 && done % kRows == 0)
+            tell(advance, kPacked * done / map.height(), not_written(path.string()));
+        for (int x = 0; x < map.width(); ++x, at += texel_bytes(spec))
+            put_count(pixels.data() + at, map.bits(), map.plane(channel).at(x, y));
     });
-    const std::vector<unsigned char> file = encoded_image(path, kKind, writer.c_str(), spec, pixels, within(advance, 0, kEncoded));
+    const std::vector<unsigned char> file =
+        encoded_image(path, kKind, writer.c_str(), spec, pixels, within(advance, kPacked, kEncoded));
     write_file_atomically(path, std::as_bytes(std::span(file)), within(advance, kEncoded, 1));
 }
 
