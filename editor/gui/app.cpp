@@ -19,6 +19,7 @@
 #include "editor/gui/picture_overlay.h"
 #include "editor/gui/tool_marks.h"
 #include "editor/gui/widgets.h"
+#include "editor/session/derived_scene.h"
 #include "editor/session/image_file.h"
 #include "editor/session/preferences.h"
 #include "renderer/vulkan/programs.h"
@@ -305,7 +306,7 @@ void App::update_title() {
     const auto path = session.map_path();
     const std::string map = path ? path->filename().string() : "new map";
     window_->set_title((session.unsaved() ? "* " : "") + map + " - " +
-                       session.scene().path.filename().string() + " - Relievo");
+                       scene_name(session.scene().path) + " - Relievo");
 }
 
 void App::do_work() {

@@ -56,7 +56,7 @@ void Desk::offer_scene_of(const std::filesystem::path& map, const std::filesyste
         const auto fresh = names_colours ? scene_with_map(scene.path, map) : scene_with_maps(scene.path, map, colours);
         change_preferences([&](Preferences& p) { add_recent(p, fresh); });
         offered_ = {map, colours};
-        toasts.info("The scene does not name what was saved: open " + fresh.filename().string() + " from Recent");
+        toasts.info("The scene does not name what was saved: open " + scene_name(fresh) + " from Recent, which does");
     });
 }
 

@@ -11,6 +11,7 @@
 #include "editor/gui/keys.h"
 #include "editor/gui/theme.h"
 #include "editor/gui/widgets.h"
+#include "editor/session/derived_scene.h"
 #include "editor/session/preferences.h"
 
 namespace relievo::gui {
@@ -75,7 +76,7 @@ void draw_recovery(Desk& desk) {
         const AbandonedJournal& journal = desk.abandoned[i];
         ImGui::PushID(static_cast<int>(i));
         ImGui::PushFont(strong_font());
-        ImGui::TextUnformatted(journal.scene.filename().string().c_str());
+        ImGui::TextUnformatted(scene_name(journal.scene).c_str());
         ImGui::PopFont();
         ImGui::SameLine();
         ImGui::TextDisabled("%zu unsaved edit%s, %s", journal.edits, journal.edits == 1 ? "" : "s",

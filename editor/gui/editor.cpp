@@ -14,6 +14,7 @@
 #include "editor/gui/app.h"
 #include "editor/gui/file_dialog.h"
 #include "editor/gui/wait_screen.h"
+#include "editor/session/derived_scene.h"
 #include "editor/session/memory_estimate.h"
 #include "editor/session/preferences.h"
 #include "editor/session/recovery.h"
@@ -48,7 +49,7 @@ std::optional<std::filesystem::path> ask_for_scene(gui::Window& window, const Se
 std::unique_ptr<Session> open_beside_window(const std::filesystem::path& scene, SessionOptions options, gui::Window& window,
                                             vulkan::Context* context) {
     constexpr auto kBetweenLooks = std::chrono::milliseconds(20);
-    gui::WaitScreen shown(window, context, {options.device, options.validation, true}, "Opening " + scene.filename().string());
+    gui::WaitScreen shown(window, context, {options.device, options.validation, true}, "Opening " + scene_name(scene));
     std::atomic<double> part = 0;
     std::atomic<bool> stopped = false;
     options.opening = [&](double now) {

@@ -10,6 +10,7 @@
 #include "editor/gui/panels.h"
 #include "editor/gui/theme.h"
 #include "editor/gui/widgets.h"
+#include "editor/session/derived_scene.h"
 #include "editor/session/preferences.h"
 #include "editor/session/text.h"
 #include "renderer/methods/registry.h"
@@ -44,10 +45,10 @@ void recent_menu(Desk& desk) {
     };
     const std::vector<std::filesystem::path> recent = load_preferences().recent;
     float names = 0;
-    for (const std::filesystem::path& path : recent) names = std::max(names, width_of(path.filename().string()));
+    for (const std::filesystem::path& path : recent) names = std::max(names, width_of(scene_name(path)));
     for (const std::filesystem::path& path : recent) {
         std::error_code ignored;
-        const std::string whole = path.string(), name = path.filename().string();
+        const std::string whole = path.string(), name = scene_name(path);
         const float room = std::min(beside, most) - names;
         const std::string folder = room < least ? "" : fitting_end(path.parent_path().string(), room, width_of);
         ImGui::PushID(whole.c_str());

@@ -76,7 +76,10 @@ fs::path with_map(const Scene& scene, const fs::path& map, const fs::path& colou
     displacement["map"] = fs::absolute(map).lexically_normal().string();
     if (!colours.empty())
         root["objects"][0]["material"]["albedo_map"] = fs::absolute(colours).lexically_normal().string();
-    return write_scene(root, scene.path.stem().string() + "-" + map.stem().string());
+    std::string name = is_derived(scene.path) ? scene_name(scene.path) : scene.path.stem().string();
+    const std::string before = "-" + scene.objects.front().displacement.map.stem().string(), now = map.stem().string();
+    if (is_derived(scene.path) && name.ends_with(before)) name.resize(name.size() - before.size());
+    return write_scene(root, name == now ? name : name + "-" + now);
 }
 
 bool fits(MapFormat named, MapFormat format) {
@@ -100,6 +103,12 @@ FileKind kind_of_file(const fs::path& path) {
 bool is_derived(const fs::path& scene) {
     std::error_code ignored;
     return fs::equivalent(fs::absolute(scene).parent_path(), derived_folder(), ignored);
+}
+
+std::string scene_name(const fs::path& scene) {
+    if (!is_derived(scene)) return scene.filename().string();
+    const std::string name = scene.stem().string();
+    return name.substr(0, name.rfind('-'));  // the hash
 }
 
 fs::path scene_of_mesh(const fs::path& mesh) {

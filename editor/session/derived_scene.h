@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "brushes/map_file.h"
 
@@ -16,6 +17,9 @@ FileKind kind_of_file(const std::filesystem::path& path);
 
 // Whether one of the functions below wrote that scene.
 bool is_derived(const std::filesystem::path& scene);
+
+// What a scene is called: its file's name, or of one that was written here "SCENE-MAP" or "MESH".
+std::string scene_name(const std::filesystem::path& scene);
 
 // A scene of the mesh with a new map. Throws std::invalid_argument as load_scene does when the mesh cannot be
 // used.

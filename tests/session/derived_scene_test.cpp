@@ -77,6 +77,17 @@ TEST_F(DerivedScene, SavedHeightsAndColoursOpenTogether) {
     EXPECT_NE(again.colours(), nullptr);
 }
 
+TEST_F(DerivedScene, IsCalledByTheSceneAndItsMapHoweverOftenThatChanges) {
+    EXPECT_EQ(scene_name(scene_), "scene.json");
+    for (const char* name : {"other.tif", "third.tif", "scene.tif"}) save_map(HeightMap(9, 9), at(name), MapFormat::tiff16);
+    const fs::path other = scene_with_map(scene_, at("other.tif"));
+    EXPECT_EQ(scene_name(other), "scene-other");
+    const fs::path third = scene_with_map(other, at("third.tif"));
+    EXPECT_EQ(scene_name(third), "scene-third");
+    EXPECT_EQ(scene_name(scene_with_map(third, at("scene.tif"))), "scene");
+    EXPECT_EQ(scene_name(scene_with_map(scene_of_mesh(at("sheet.obj")), at("other.tif"))), "sheet-other");
+}
+
 TEST_F(DerivedScene, AMeshThatCannotBeUsedLeavesNoScene) {
     test::write_text(at("bad.obj"), "v 0 0\n");
     EXPECT_THROW(scene_of_mesh(at("bad.obj")), std::invalid_argument);
