@@ -1,11 +1,7 @@
 // A stroke from begin to end: dabs to tools, seams after every dab, one quantised state, one undo step.
-#include "brushes/sculptor.h"
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,107 +10,10 @@
 #include "brushes/copy_shares.h"
 #include "brushes/dab_cost.h"
 #include "brushes/dab_tools.h"
-#include "brushes/mask_blur.h"
-#include "brushes/paint_stroke.h"
-#include "brushes/saved_heights.h"
-#include "brushes/seams.h"
+#include "brushes/sculptor_state.h"
 #include "brushes/shared_work.h"
-#include "brushes/stroke_tiles.h"
-#include "brushes/symmetry.h"
-#include "brushes/undo_stack.h"
 
 namespace relievo {
-
-struct Sculptor::State {
-    State(HeightMap& the_map, const Surface& the_surface, std::size_t budget)
-        : map(the_map),
-          surface(the_surface),
-          seams(surface, map.width(), map.height()),
-          undo(budget),
-          saved(map) {}
-
-    void require_stroke(bool wanted, const char* what) const {
-        if (stroke.has_value() == wanted) return;
-        throw std::logic_error(
-            std::string("Sculptor::") + what +
-            (wanted ? " needs a stroke: call begin first" : " during a stroke: end it first"));
-    }
-
-    // The hand (first) or a copy by symmetry, with what the stroke remembers of it, in its own frame.
-    struct Branch {
-        std::unique_ptr<TurnedSurface> turned;    // null without symmetry
-        std::optional<glm::vec3> last_place;      // of the last dab, world units
-        std::optional<glm::dvec3> last_in_world;  // the same in world space, not in its own frame
-        glm::vec3 motion{0};                      // from the dab before to the last one; 0 after a jump
-        std::shared_ptr<Hold> hold;
-
-        void move_to(glm::vec3 place, float jump) {
-            motion = last_place ? place - *last_place : glm::vec3(0);
-            if (!(glm::length(motion) < jump)) motion = glm::vec3(0);
-            last_place = place;
-        }
-    };
-
-    const Surface& surface_of(const Branch& branch) const { return branch.turned ? *branch.turned : surface; }
-    SurfacePoint seen(const Branch& branch, const FacePoint& point) const {
-        constexpr float kUnit = 1.0f / static_cast<float>(Dab::kBarycentricOne);
-        return surface_of(branch).at(point.face, static_cast<float>(point.b1) * kUnit,
-                                     static_cast<float>(point.b2) * kUnit);
-    }
-
-    Layer layer() const { return brush.tool == Tool::mask ? Layer::mask : Layer::height; }
-    Across across() const { return layer() == Layer::height ? Across::slopes : Across::values; }
-    HeightMap& map_of(Layer which) {
-        switch (which) {
-            case Layer::height:
-                return map;
-            case Layer::mask:
-                return need_mask();
-            default:
-                return colours->plane(static_cast<std::size_t>(which) - static_cast<std::size_t>(Layer::red));
-        }
-    }
-    HeightMap& need_mask() {
-        if (!mask) mask.emplace(map.width(), map.height(), std::uint16_t{0});
-        return *mask;
-    }
-    // What protects texels from the stroke's tool.
-    const HeightMap* protection() const { return layer() == Layer::height && mask ? &*mask : nullptr; }
-    std::vector<TexelRect> shown(std::vector<TexelRect> rects, Layer which);
-    void note_painted(std::vector<TexelRect> rects) {
-        painted.insert(painted.end(), rects.begin(), rects.end());
-    }
-
-    void start(const Brush& the_brush, std::shared_ptr<const Alpha> the_alpha);
-    // Where each branch's hand is, or takes from.
-    using Points = std::span<const FacePoint>;
-    // Takes a checked dab in steps of the drag that grab can follow.
-    void apply(const Dab& dab, Points copies, Points sources);
-    void apply_step(const Dab& dab, Points copies, Points sources, glm::vec3 drag);
-    std::vector<TexelRect> take(bool redo);
-    void finish_stroke();
-    void push_step();
-    using MaskChange = std::function<void(HeightMap&, const Advance&)>;
-    void change_mask(const MaskChange& change, const Advance& advance);
-
-    HeightMap& map;
-    const Surface& surface;
-    Seams seams;
-    UndoStack undo;
-    SavedHeights saved;
-    std::optional<HeightMap> mask;
-    std::uint64_t mask_revision = 0;
-    Brush brush;
-    std::shared_ptr<const Alpha> alpha;
-    std::optional<StrokeTiles> stroke;  // over the brush's layer
-    std::optional<PaintStroke> paint;   // where the stroke paints
-    ColourMap* colours = nullptr;
-    std::vector<TexelRect> painted;  // since take_painted(), each within one tile
-    std::vector<Branch> branches;
-    std::optional<std::size_t> at_once;  // copies in work, as the stroke's first dab says; empty before
-    glm::vec3 last_drag{0};              // world units
-    std::size_t clipped = 0;             // of the last stroke
-};
 
 std::vector<TexelRect> Sculptor::State::shown(std::vector<TexelRect> rects, Layer which) {
     if (which == Layer::height) return merge_rects(std::move(rects));
@@ -238,16 +137,6 @@ void Sculptor::State::push_step() {
     undo.push(parts);
 }
 
-void Sculptor::State::change_mask(const MaskChange& change, const Advance& advance) {
-    constexpr double kChanged = 0.5;  // part of the time, about
-    HeightMap changed = need_mask();
-    change(changed, within(advance, 0, kChanged));
-    seams.copy_all(changed);
-    undo.push(*mask, changed, Layer::mask, within(advance, kChanged, 1));
-    mask = std::move(changed);
-    ++mask_revision;
-}
-
 Sculptor::Sculptor(HeightMap& map, const Surface& surface, std::size_t undo_budget)
     : state_(std::make_unique<State>(map, surface, undo_budget)) {}
 
@@ -324,49 +213,6 @@ std::vector<TexelRect> Sculptor::take_painted() {
 
 bool Sculptor::in_stroke() const {
     return state_->stroke.has_value();
-}
-
-void Sculptor::set_mask(HeightMap mask) {
-    state_->require_stroke(false, "set_mask");
-    if (mask.width() != state_->map.width() || mask.height() != state_->map.height())
-        throw std::invalid_argument("the mask must have as many texels as the displacement map");
-    state_->seams.copy_all(mask);
-    state_->mask = std::move(mask);
-    ++state_->mask_revision;
-}
-
-void Sculptor::clear_mask(const Advance& advance) {
-    state_->require_stroke(false, "clear_mask");
-    if (!state_->mask) return;
-    state_->change_mask([](HeightMap& mask, const Advance&) { std::ranges::fill(mask.texels(), std::uint16_t{0}); }, advance);
-}
-
-void Sculptor::invert_mask(const Advance& advance) {
-    state_->require_stroke(false, "invert_mask");
-    const auto invert = [](HeightMap& mask, const Advance&) {
-        for (std::uint16_t& texel : mask.texels()) texel = static_cast<std::uint16_t>(65535 - texel);
-    };
-    state_->change_mask(invert, advance);
-}
-
-void Sculptor::blur_mask(const Advance& advance) {
-    state_->require_stroke(false, "blur_mask");
-    if (!state_->mask) return;
-    constexpr int kRounds = 4;
-    const auto blur = [this](HeightMap& mask, const Advance& all) {
-        for (int round = 0; round < kRounds; ++round) {
-            blur_once(mask, state_->surface, state_->seams, within(all, round / double{kRounds}, (round + 1) / double{kRounds}));
-            state_->seams.copy_all(mask);
-        }
-    };
-    state_->change_mask(blur, advance);
-}
-
-const HeightMap* Sculptor::mask() const {
-    return state_->mask ? &*state_->mask : nullptr;
-}
-std::uint64_t Sculptor::mask_revision() const {
-    return state_->mask_revision;
 }
 
 void Sculptor::mark_saved() {
