@@ -113,8 +113,12 @@ std::optional<fs::path> FileDialog::draw_recent() {
     for (const fs::path& path : purpose_.recent) {
         std::error_code ignored;
         const bool there = fs::exists(path, ignored);
-        if (ImGui::Selectable(path.string().c_str(), false, there ? 0 : ImGuiSelectableFlags_Disabled))
-            chosen = path;
+        const std::string whole = path.string();
+        ImGui::PushID(whole.c_str());
+        const std::string shown = fitting_end(whole, ImGui::GetContentRegionAvail().x, text_width);
+        if (ImGui::Selectable(shown.c_str(), false, there ? 0 : ImGuiSelectableFlags_Disabled)) chosen = path;
+        if (shown != whole) tooltip(whole);
+        ImGui::PopID();
     }
     ImGui::EndCombo();
     return chosen;

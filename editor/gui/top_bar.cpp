@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "editor/gui/panels.h"
@@ -40,17 +39,14 @@ void recent_menu(Desk& desk) {
     const float least = points(60), most = points(560), frame = points(100);
     const float beside = ImGui::GetMainViewport()->Size.x - ImGui::GetWindowPos().x - ImGui::GetWindowWidth() - frame;
     if (!ImGui::BeginMenu("Recent")) return;
-    const auto width_of = [](std::string_view text) {
-        return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
-    };
     const std::vector<std::filesystem::path> recent = load_preferences().recent;
     float names = 0;
-    for (const std::filesystem::path& path : recent) names = std::max(names, width_of(scene_name(path)));
+    for (const std::filesystem::path& path : recent) names = std::max(names, text_width(scene_name(path)));
     for (const std::filesystem::path& path : recent) {
         std::error_code ignored;
         const std::string whole = path.string(), name = scene_name(path);
         const float room = std::min(beside, most) - names;
-        const std::string folder = room < least ? "" : fitting_end(path.parent_path().string(), room, width_of);
+        const std::string folder = room < least ? "" : fitting_end(path.parent_path().string(), room, text_width);
         ImGui::PushID(whole.c_str());
         if (ImGui::MenuItem(name.c_str(), folder.c_str(), false, std::filesystem::exists(path, ignored)))
             desk.open_file(path);

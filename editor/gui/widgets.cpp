@@ -128,23 +128,17 @@ std::string fitting_end(std::string_view path, float room, const std::function<f
     return shown;
 }
 
-namespace {
-
-float width_of_text(std::string_view text) {
-    return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
-}
-
-}  // namespace
+float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
 
 void path_text(const std::string& path) {
-    const std::string shown = fitting_end(path, ImGui::GetContentRegionAvail().x, width_of_text);
+    const std::string shown = fitting_end(path, ImGui::GetContentRegionAvail().x, text_width);
     ImGui::TextDisabled("%s", shown.c_str());
     if (shown != path) tooltip(path);
 }
 
 bool path_input(const char* label, std::string& path) {
     const ImVec2 low = ImGui::GetCursorScreenPos(), pad = ImGui::GetStyle().FramePadding;
-    const std::string shown = fitting_end(path, ImGui::CalcItemWidth() - 2 * pad.x, width_of_text);
+    const std::string shown = fitting_end(path, ImGui::CalcItemWidth() - 2 * pad.x, text_width);
     const bool idle = ImGui::GetActiveID() != ImGui::GetID(label);
     // Dear ImGui's field shows the start until it is being edited.
     const bool end_only = idle && shown != path;

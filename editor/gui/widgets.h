@@ -30,6 +30,7 @@ void text_row(std::string_view label, std::string_view value);
 // A path's end says which file it is: where there is no room for the whole, that is what is seen of it.
 // "..." and as much of the end as fits, of UTF-8; all of it where it does.
 std::string fitting_end(std::string_view path, float room, const std::function<float(std::string_view)>& width_of);
+float text_width(std::string_view text);  // pixels
 void path_text(const std::string& path);  // dim, up to the line's end; a tooltip has the whole where it is cut off
 // True when the user changed it. A click takes all of it and goes to its end.
 bool path_input(const char* label, std::string& path);
