@@ -10,6 +10,7 @@ from window_test import run
 
 # Places in a window of 900 x 600 with the panel's first section closed.
 BRUSH_HEADER, EXEMPLAR, BAKE = (660, 70), (742, 259), (655, 439)
+INVERT_MASK = (787, 497)  # with it open, three notches down
 SCALE, SEED = 289, 409
 ON_THE_OBJECT = [(250 + 4 * i, 330) for i in range(20)]
 PICTURE = (150, 230, 500, 440)
@@ -36,7 +37,10 @@ def last_set(case, key):
 def sliders_exemplar_bake_and_stroke_replay(case):
     use_procedural_scene(case)
     editor = case.open(case.journal)
-    click(case, BRUSH_HEADER)
+    for button, place in ((5, INVERT_MASK), (4, BRUSH_HEADER)):
+        case.desktop.do("mousemove", 650, 400, "click", "--repeat", 3, "--delay", 60, button)
+        editor.screenshot()
+        click(case, place)  # a mask of what cannot be sculpted is refused
     case.desktop.do("mousemove", 300, 30)
     before = case.desktop.settled_screen()
 
