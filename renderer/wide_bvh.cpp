@@ -14,18 +14,19 @@ namespace {
 
 constexpr float kMost = 1e30f;  // coordinates beyond are as far: the walk's products stay finite
 constexpr int kLeastExponent = -100, kExponentBias = 127;
+constexpr int kMostBelow = 15;  // exponents of one node's axes
 constexpr int kSteps = 255;
 // The walk's rounding within a node, in steps of its grid, is under 1e-4 (trace/bvh.glsl).
 constexpr double kStepSlack = 1.0 / 256;
-constexpr double kSlabStep = 9.0 / 32, kSlabReach = 63.0 / 64;
+constexpr double kSlabStep = 1.0 / 16, kSlabReach = 31.0 / 32;
 
 // Slabs across larger subtrees say no more than boxes, and what a refit costs grows with them.
 constexpr std::uint32_t kMostSlabLeaves = 1024;
 // Coordinates beyond have no slab: the walk's products stay finite.
 constexpr float kMostSlab = 1e12f;
 
-// A direction that a byte tells, as the walk computes it (trace/node_boxes.glsl): 1 along one axis, a multiple of 9/32 less
-// 63/64 along the next two. Not of unit length.
+// A direction that 12 bits tell, as the walk computes it (trace/node_boxes.glsl): 1 along one axis, a multiple of 1/16 less
+// 31/32 along the next two. Not of unit length.
 struct SlabDirection {
     std::uint32_t code;
     glm::dvec3 across;
@@ -35,11 +36,11 @@ std::optional<SlabDirection> slab_direction(const glm::dvec3& facing) {
     const glm::dvec3 size = glm::abs(facing);
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     if (!(size[axis] > 0) || !std::isfinite(size[axis])) return std::nullopt;
-    SlabDirection d{static_cast<std::uint32_t>(axis) << 6, glm::dvec3(1)};
+    SlabDirection d{static_cast<std::uint32_t>(axis) << 10, glm::dvec3(1)};
     for (int k = 0; k < 2; ++k) {
         const int other = (axis + 1 + k) % 3;
-        const double steps = std::clamp(std::round((facing[other] / facing[axis] + kSlabReach) / kSlabStep), 0.0, 7.0);
-        d.code |= static_cast<std::uint32_t>(steps) << (3 * k);
+        const double steps = std::clamp(std::round((facing[other] / facing[axis] + kSlabReach) / kSlabStep), 0.0, 31.0);
+        d.code |= static_cast<std::uint32_t>(steps) << (5 * k);
         d.across[other] = steps * kSlabStep - kSlabReach;
     }
     return d;
@@ -62,21 +63,21 @@ struct Axis {
     std::array<std::uint32_t, 4> low{}, high{};
 };
 
-// The finest grid of powers of two whose 255 steps hold the node, with room for what rounding takes.
-Axis quantised(float node_low, float node_high, const std::array<float, 4>& low,
-               const std::array<float, 4>& high, std::size_t count) {
-    const double extent = double{node_high} - double{node_low};
-    const double rounding = 0x1p-22 * std::max(std::abs(double{node_low}), std::abs(double{node_high}));
+// The finest grid of powers of two whose 255 steps hold the node along the axis, with room for what rounding takes.
+Axis quantised(const Box& node, std::span<const Box> children, int axis_index, int least_exponent) {
+    const double node_low = node.low[axis_index], node_high = node.high[axis_index];
+    const double extent = node_high - node_low;
+    const double rounding = 0x1p-22 * std::max(std::abs(node_low), std::abs(node_high));
     Axis axis{};
-    axis.origin = static_cast<float>(double{node_low} - rounding);
+    axis.origin = static_cast<float>(node_low - rounding);
     std::frexp((extent + 2 * rounding) / kSteps, &axis.exponent);
-    axis.exponent = std::max(axis.exponent - 1, kLeastExponent);
+    axis.exponent = std::max(axis.exponent - 1, least_exponent);
     for (bool fits = false; !fits; ++axis.exponent) {
         const double step = std::ldexp(1.0, axis.exponent), pad = rounding / 2 + kStepSlack * step;
         fits = true;
-        for (std::size_t i = 0; i < count; ++i) {
-            const double from = std::floor((low[i] - pad - axis.origin) / step);
-            const double to = std::ceil((high[i] + pad - axis.origin) / step);
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            const double from = std::floor((children[i].low[axis_index] - pad - axis.origin) / step);
+            const double to = std::ceil((children[i].high[axis_index] + pad - axis.origin) / step);
             fits = fits && to <= kSteps;
             axis.low[i] = static_cast<std::uint32_t>(std::max(from, 0.0));
             axis.high[i] = static_cast<std::uint32_t>(std::clamp(to, 0.0, double{kSteps}));
@@ -84,6 +85,30 @@ Axis quantised(float node_low, float node_high, const std::array<float, 4>& low,
         if (fits) break;
     }
     return axis;
+}
+
+void set_boxes(gpu::BvhNode& node, const Box& whole, std::span<const Box> children) {
+    std::array<Axis, 3> axes;
+    int most = kLeastExponent;
+    for (int a = 0; a < 3; ++a) {
+        axes[a] = quantised(whole, children, a, kLeastExponent);
+        most = std::max(most, axes[a].exponent);
+    }
+    node.exponents = static_cast<std::uint32_t>(most + kExponentBias);
+    for (int a = 0; a < 3; ++a) {
+        if (axes[a].exponent < most - kMostBelow) axes[a] = quantised(whole, children, a, most - kMostBelow);
+        node.origin[a] = axes[a].origin;
+        node.exponents |= static_cast<std::uint32_t>(most - axes[a].exponent) << (8 + 4 * a);
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            node.low[a] |= axes[a].low[i] << (8 * i);
+            node.high[a] |= axes[a].high[i] << (8 * i);
+        }
+    }
+}
+
+double step_of(const gpu::BvhNode& node, int axis) {
+    return std::ldexp(1.0, static_cast<int>(node.exponents & 255u) - static_cast<int>(node.exponents >> (8 + 4 * axis) & 15u) -
+                               kExponentBias);
 }
 
 }  // namespace
@@ -142,20 +167,7 @@ bool WideBvh::fit(std::uint32_t index) {
         whole = {glm::min(whole.low, child[count].low), glm::max(whole.high, child[count].high)};
     }
     gpu::BvhNode node{};
-    for (int axis = 0; axis < 3; ++axis) {
-        std::array<float, 4> low{}, high{};
-        for (std::size_t i = 0; i < count; ++i) {
-            low[i] = child[i].low[axis];
-            high[i] = child[i].high[axis];
-        }
-        const Axis grid = quantised(whole.low[axis], whole.high[axis], low, high, count);
-        node.origin[axis] = grid.origin;
-        node.exponents |= static_cast<std::uint32_t>(grid.exponent + kExponentBias) << (8 * axis);
-        for (std::size_t i = 0; i < count; ++i) {
-            node.low[axis] |= grid.low[i] << (8 * i);
-            node.high[axis] |= grid.high[i] << (8 * i);
-        }
-    }
+    set_boxes(node, whole, std::span(child).first(count));
     node.child = {branch.child[0], branch.child[1], branch.child[2], branch.child[3]};
     fit_slab(index, node);
     const bool moved = whole.low != node_boxes_[index].low || whole.high != node_boxes_[index].high;
@@ -176,7 +188,7 @@ void WideBvh::collect_leaves(std::uint32_t child, std::vector<std::uint32_t>& le
 
 // The children's extents in 255 steps of what the node's grid of boxes has along the slab's direction.
 void WideBvh::fit_slab(std::uint32_t index, gpu::BvhNode& node) const {
-    node.exponents |= gpu::kBvhNoSlab << 24;
+    node.exponents |= gpu::kBvhNoSlab << 20;
     node.slab_high = 0xffffffffu;
     if (!has_slab(index)) return;
     std::array<std::vector<std::uint32_t>, 4> leaves;
@@ -190,12 +202,12 @@ void WideBvh::fit_slab(std::uint32_t index, gpu::BvhNode& node) const {
     const glm::dvec3 across = direction->across;
     double start = 0, step = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const double grid = std::ldexp(1.0, static_cast<int>(node.exponents >> (8 * axis) & 255u) - kExponentBias);
+        const double grid = step_of(node, axis);
         start += std::min(across[axis], 0.0) * kSteps * grid;
         step += std::abs(across[axis]) * grid;
     }
     if (!(step < kMostSlab)) return;
-    node.exponents = (node.exponents & 0xffffffu) | direction->code << 24;
+    node.exponents = (node.exponents & 0xfffffu) | direction->code << 20;
     node.slab_high = 0;
     for (std::size_t i = 0; i < 4; ++i) {
         Extent all{1e300, -1e300};

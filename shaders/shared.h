@@ -89,13 +89,14 @@ RELIEVO_CONST uint kHeightsOfMap = 0u, kHeightsOfLattice = 1u, kHeightsOfTexels 
 // along it, from where that begins.
 struct BvhNode {
     vec3 origin;     // world
-    uint exponents;  // byte a: the exponent of axis a's steps, plus 127; byte 3: the slab's direction
+    uint exponents;  // byte 0: the greatest exponent of the axes' steps, plus 127; then 4 bits an axis: how far its own lies
+                     // below; then 12 bits: the slab's direction
     uvec4 child;     // kBvhLeaf | primitive, or the index of a node, or kBvhNone: those come last
     uvec3 low;       // of each axis: a byte a child, in steps from origin
     uvec3 high;
     uint slab_low, slab_high;  // along the slab's direction, likewise
 };
-RELIEVO_CONST uint kBvhNoSlab = 192u;  // as a direction, and all above
+RELIEVO_CONST uint kBvhNoSlab = 3072u;  // as a direction, and all above
 RELIEVO_CONST uint kBvhLeaf = 0x80000000u;
 RELIEVO_CONST uint kBvhNone = 0xffffffffu;
 RELIEVO_CONST uint kBvhStack = 48u;  // nodes that wait while others are walked: the builder's promise

@@ -7,14 +7,15 @@ vec4 bytes_of(uint v) {
 
 // World units of a step of a node's boxes along each axis.
 vec3 steps_of(uint exponents) {
-    return uintBitsToFloat(uvec3(exponents << 23, exponents << 15, exponents << 7) & 0x7f800000u);
+    uvec3 below = uvec3(exponents >> 8, exponents >> 12, exponents >> 16) & 15u;
+    return uintBitsToFloat((uvec3(exponents & 255u) - below) << 23);
 }
 
-// Across the surface that a node holds; multiples of 1/64, so that renderer/wide_bvh.cpp has the same.
+// Across the surface that a node holds; multiples of 1/32, so that renderer/wide_bvh.cpp has the same.
 vec3 slab_direction(uint exponents) {
-    uint code = exponents >> 24;
-    float u = float(code & 7u) * 0.28125 - 0.984375, v = float((code >> 3) & 7u) * 0.28125 - 0.984375;
-    return code < 64u ? vec3(1.0, u, v) : code < 128u ? vec3(v, 1.0, u) : vec3(u, v, 1.0);
+    uint code = exponents >> 20;
+    float u = float(code & 31u) * 0.0625 - 0.96875, v = float((code >> 5) & 31u) * 0.0625 - 0.96875;
+    return code < 1024u ? vec3(1.0, u, v) : code < 2048u ? vec3(v, 1.0, u) : vec3(u, v, 1.0);
 }
 
 // A slab's bound of k steps is met at k step + enter, if it is the first, and at k step + leave, if it is the last.
@@ -31,7 +32,7 @@ Slab slab_of(uint exponents, vec3 steps, vec3 away, vec3 direction) {
     float width = dot(abs(across), steps);
     float start = dot(across, away) + 255.0 * dot(min(across, vec3(0.0)), steps);
     float rounding = (dot(abs(across), abs(away)) + 255.0 * width) * abs(inverse) * 1e-6;
-    bool told = exponents < kBvhNoSlab << 24;
+    bool told = exponents < kBvhNoSlab << 20;
     s.step = told ? width * inverse : 0.0;
     s.enter = told ? start * inverse - rounding : -kNotMet;
     s.leave = told ? start * inverse + rounding : 0.5 * kNotMet;

@@ -14,11 +14,19 @@
 namespace relievo::test {
 namespace {
 
-// The arithmetic of shaders/trace/bvh.glsl.
+// The arithmetic of shaders/trace/node_boxes.glsl.
+float step_of(const gpu::BvhNode& node, int axis) {
+    return std::ldexp(1.0f, static_cast<int>(node.exponents & 255u) -
+                                static_cast<int>(node.exponents >> (8 + 4 * axis) & 15u) - 127);
+}
+bool has_slab(const gpu::BvhNode& node) {
+    return node.exponents >> 20 < gpu::kBvhNoSlab;
+}
+
 Box decoded(const gpu::BvhNode& node, int child) {
     Box box{};
     for (int axis = 0; axis < 3; ++axis) {
-        const float step = std::ldexp(1.0f, static_cast<int>(node.exponents >> (8 * axis) & 255u) - 127);
+        const float step = step_of(node, axis);
         box.low[axis] = node.origin[axis] + step * static_cast<float>(node.low[axis] >> (8 * child) & 255u);
         box.high[axis] = node.origin[axis] + step * static_cast<float>(node.high[axis] >> (8 * child) & 255u);
     }
@@ -200,14 +208,12 @@ std::vector<Box> boxes_of(const std::vector<SurfaceHull>& hulls) {
 
 // shaders/trace/node_boxes.glsl in C++: the stretch of the ray within child i's slab.
 Extent slab_stretch(const gpu::BvhNode& node, int i, glm::vec3 origin, glm::vec3 direction) {
-    const std::uint32_t code = node.exponents >> 24;
-    if (code >= gpu::kBvhNoSlab) return {-1e38, 1e38};
-    const float u = static_cast<float>(code & 7u) * 0.28125f - 0.984375f;
-    const float v = static_cast<float>(code >> 3 & 7u) * 0.28125f - 0.984375f;
-    const glm::vec3 across = code < 64 ? glm::vec3(1, u, v) : code < 128 ? glm::vec3(v, 1, u) : glm::vec3(u, v, 1);
-    glm::vec3 steps;
-    for (int axis = 0; axis < 3; ++axis)
-        steps[axis] = std::ldexp(1.0f, static_cast<int>(node.exponents >> (8 * axis) & 255u) - 127);
+    const std::uint32_t code = node.exponents >> 20;
+    if (!has_slab(node)) return {-1e38, 1e38};
+    const float u = static_cast<float>(code & 31u) * 0.0625f - 0.96875f;
+    const float v = static_cast<float>(code >> 5 & 31u) * 0.0625f - 0.96875f;
+    const glm::vec3 across = code < 1024 ? glm::vec3(1, u, v) : code < 2048 ? glm::vec3(v, 1, u) : glm::vec3(u, v, 1);
+    const glm::vec3 steps(step_of(node, 0), step_of(node, 1), step_of(node, 2));
     const glm::vec3 away = node.origin - origin;
     const float along = glm::dot(across, direction), inverse = 1 / (std::abs(along) < 1e-20f ? 1e-20f : along);
     const float width = glm::dot(glm::abs(across), steps);
@@ -234,7 +240,7 @@ TEST(WideBvh, NoRayToAPointOfAHullPassesASlabOnTheWayBy) {
                 const auto [index, way] = waiting.back();
                 waiting.pop_back();
                 const gpu::BvhNode& node = bvh.nodes()[index];
-                with_slab += node.exponents >> 24 < gpu::kBvhNoSlab ? 1 : 0;
+                with_slab += has_slab(node) ? 1 : 0;
                 for (int i = 0; i < 4 && node.child[i] != gpu::kBvhNone; ++i) {
                     auto on = way;
                     on.emplace_back(index, i);
@@ -303,8 +309,8 @@ TEST(WideBvh, HullsThatAreNotNumbersOrTellNothingAreEverywhere) {
         for (int i = 0; i < 4 && node.child[i] != gpu::kBvhNone; ++i) {
             const std::uint32_t leaf = node.child[i] & ~gpu::kBvhLeaf;
             if (node.child[i] < gpu::kBvhLeaf || (leaf != 3 && leaf != 5 && leaf != 7)) continue;
-            EXPECT_TRUE(node.exponents >> 24 >= gpu::kBvhNoSlab || (node.slab_high >> (8 * i) & 255u) == 255u) << leaf;
-            EXPECT_TRUE(node.exponents >> 24 >= gpu::kBvhNoSlab || leaf == 7 || (node.slab_low >> (8 * i) & 255u) == 0u) << leaf;
+            EXPECT_TRUE(!has_slab(node) || (node.slab_high >> (8 * i) & 255u) == 255u) << leaf;
+            EXPECT_TRUE(!has_slab(node) || leaf == 7 || (node.slab_low >> (8 * i) & 255u) == 0u) << leaf;
             ++met;
         }
     }
