@@ -71,6 +71,7 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.micro_triangles = request.method->geometry == GeometryKind::triangles;
     f.density = f.micro_triangles ? request.density : 0;
     f.searched = f.true_shell && (all || request.has_searched);
+    f.slants = f.true_shell && (all || request.has_slants);
     f.path = request.path;
     f.driver_triangles = f.micro_triangles && f.path != TracePath::bvh;
     return f;
@@ -125,6 +126,10 @@ class Describer {
         add_needed("search of folded shells", f.searched, f.true_shell && request_.has_searched,
                    "the shell of a triangle folds, or stands far from its normal",
                    f.true_shell ? "no triangle's shell folds" : method_ + " does not meet the surface itself");
+        add_needed("slanted prisms", f.slants, f.true_shell && request_.has_slants,
+                   "most triangles are thin tiles aslant: their prisms end along the surface",
+                   f.true_shell ? "prisms along the base triangles are as low as most triangles need"
+                                : method_ + " does not meet the surface itself");
         const bool parallel = request_.method->geometry == GeometryKind::parallel_prisms;
         add("mended creases", f.mended_creases,
             !parallel               ? method_ + " does not offset triangles in parallel"

@@ -42,6 +42,7 @@ struct Features {
     bool driver_triangles = false; // rays meet them by the driver's own test, else by the method's
     double density = 0;          // of them, segments a texel
     bool searched = false;       // search of triangles whose shell folds
+    bool slants = false;         // prisms with ends along the surface
     TracePath path = TracePath::ray_query;  // never automatic
     bool operator==(const Features&) const = default;
 };
@@ -54,6 +55,7 @@ struct FeatureRequest {
     bool path_asked_for = false;            // not the device's own choice
     double density = 0;                     // the method's parameter of that name, 0 where it has none
     bool has_searched = false;              // a triangle is flagged kPrimitiveSearched
+    bool has_slants = false;                // most triangles are flagged kPrimitiveSlanted
     bool has_colours = false;               // an albedo map was given, whether the scene names a file or not
 };
 

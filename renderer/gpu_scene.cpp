@@ -94,7 +94,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
     }
     primitive_buffer_ =
         vulkan::Buffer(context, primitives_.size() * sizeof(gpu::Primitive), kStorage, vulkan::Access::host);
-    std::ranges::copy(primitives_, primitive_buffer_.as<gpu::Primitive>());
+    write_primitives(hulls);
     if (features.micro_triangles) {
         std::vector<MicroScene::Object> micro_objects;
         for (const Object& o : objects_) micro_objects.push_back(micro_object(o));

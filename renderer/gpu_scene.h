@@ -54,6 +54,8 @@ class GpuScene {
 
     // Whether a triangle's shell folds, or ever did, so that methods search it (kPrimitiveSearched).
     bool any_searched() const { return any_searched_; }
+    // Whether prisms have slanted ends (kPrimitiveSlanted): where they helped most triangles when the scene was built.
+    bool any_slanted() const { return any_slanted_; }
 
     std::uint64_t primitive_bytes() const;
     std::uint64_t tree_bytes() const { return tree_.bytes(); }
@@ -109,15 +111,17 @@ class GpuScene {
     bool has_close_bounds(const Object& object) const;
     void bound_closely(const gpu::Primitive& primitive);
     MicroScene::Object micro_object(const Object& object) const;
+    void write_primitives(std::span<const SurfaceHull> hulls);  // all of them
     void update_primitive(const Object& object, std::uint32_t face);  // bounds and box, after the range has changed
 
     vulkan::Context& context_;
     vulkan::Commands& commands_;
-    bool any_searched_ = false;
+    bool any_searched_ = false, any_slanted_ = false;
     bool meets_surface_ = false;  // the method meets S itself, not the parallel prism's surface
     HitPlace hits_;               // of the method
     std::vector<Object> objects_;
-    std::vector<gpu::Primitive> primitives_;  // as on the device, of whose memory reading can be slow
+    // As on the device, of whose memory reading can be slow; but there ends may be slanted.
+    std::vector<gpu::Primitive> primitives_;
     vulkan::Buffer primitive_buffer_, normals_, object_data_, procedural_, staging_;
     std::optional<MicroScene> micro_;
     SceneTree tree_;

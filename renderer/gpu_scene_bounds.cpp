@@ -3,6 +3,7 @@
 #include <array>
 
 #include "renderer/gpu_scene.h"
+#include "renderer/slant.h"
 
 namespace relievo {
 namespace {
@@ -66,11 +67,22 @@ void GpuScene::bound_closely(const gpu::Primitive& p) {
     if (has_close_bounds(object)) object.close[p.face] = close_bounds(triangle_of(p), surface_of(object));
 }
 
+void GpuScene::write_primitives(std::span<const SurfaceHull> hulls) {
+    auto* device = primitive_buffer_.as<gpu::Primitive>();
+    std::ranges::copy(primitives_, device);
+    if (hits_ != HitPlace::on_surface) return;
+    std::vector<gpu::Primitive> slanted;
+    slanted.reserve(primitives_.size());
+    for (std::size_t i = 0; i < primitives_.size(); ++i) slanted.push_back(with_slant(triangle_of(primitives_[i]), hulls[i]));
+    any_slanted_ = 2 * std::ranges::count_if(slanted, is_slanted) >= std::ssize(slanted);
+    if (any_slanted_) std::ranges::copy(slanted, device);
+}
+
 void GpuScene::update_primitive(const Object& object, std::uint32_t face) {
     const std::uint32_t i = object.primitive_of[face];
     gpu::Primitive& p = primitives_[i];
     set_bounds(object, face, p);
-    primitive_buffer_.as<gpu::Primitive>()[i] = p;
+    primitive_buffer_.as<gpu::Primitive>()[i] = any_slanted_ ? with_slant(triangle_of(p), hull_of(p)) : p;
     any_searched_ = any_searched_ || (p.flags & gpu::kPrimitiveSearched) != 0;
     if (micro_) micro_->move(i, p, micro_object(object).displacement, tree_);
     else {

@@ -34,7 +34,7 @@ void Renderer::State::load_albedo_files() {
 }
 
 void Renderer::State::build_scene() {
-    request.has_searched = false;
+    request.has_searched = request.has_slants = false;
     const auto density = parameters.find("density");
     request.density = density == parameters.end() ? 0 : density->second;
     features = derive_features(scene, request);
@@ -46,6 +46,7 @@ void Renderer::State::build_scene() {
         gpu_scene.emplace(context, commands, scene, maps, colours, features, meshes);
     }
     request.has_searched = gpu_scene->any_searched();
+    request.has_slants = gpu_scene->any_slanted();
     features = derive_features(scene, request);
 }
 
@@ -116,6 +117,7 @@ void Renderer::State::make_passes() {
     constants[gpu::kSpecGloss] = features.gloss ? 1 : 0;
     constants[gpu::kSpecSky] = features.sky ? 1 : 0;
     constants[gpu::kSpecSearch] = features.searched ? 1 : 0;
+    constants[gpu::kSpecSlants] = features.slants ? 1 : 0;
     constants[gpu::kSpecProcedural] = features.procedural ? 1 : 0;
     constants[gpu::kSpecAlbedo] = features.albedo_maps ? 1 : 0;
     passes = vulkan::Passes(context, set_layout.get(), method->name, features.path, features.driver_triangles, constants);

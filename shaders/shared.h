@@ -27,7 +27,7 @@ using uint = std::uint32_t;
 // The vertex i of the offset triangle at height w is q_i + w * shift_i in the frame's plane, with q_0 = 0.
 struct Primitive {
     vec3 origin;   // P0, world
-    float w_low;   // the surface of this triangle lies between w_low and w_high along ng, world units
+    float w_low;   // the surface of this triangle lies between w_low and w_high along ng, or over the slant, world units
     vec3 tangent;  // unit
     float w_high;
     vec3 ng;       // unit geometric normal
@@ -46,6 +46,12 @@ RELIEVO_CONST uint kPrimitiveOpenEdge0 = 1u;  // bit i: the edge opposite vertex
 RELIEVO_CONST uint kPrimitiveFolded = 8u;     // the offset triangle turns over between w_low and w_high
 RELIEVO_CONST uint kPrimitiveSearched = 16u;  // for methods that meet S itself: its shell folds, or stands far from the
                                               // prism. w_low and w_high are then bounds of the displacement
+// The prism's ends are slanted (renderer/slant.h): w_low and w_high bound w less x times the slant's x and y times its y, in
+// the frame. Two signed numbers of 13 bits, in steps; never of a folded or searched triangle.
+RELIEVO_CONST uint kPrimitiveSlanted = 0xffffffc0u;  // any of these
+RELIEVO_CONST int kSlantShiftX = 6, kSlantShiftY = 19;
+RELIEVO_CONST uint kSlantMaskX = 0x7ffc0u;
+RELIEVO_CONST float kSlantStep = 1.0f / 1024.0f;
 
 // What only a hit needs.
 struct PrimitiveNormals {
@@ -221,7 +227,8 @@ RELIEVO_CONST uint kSpecNotes = 5u;     // kNotesNone, kNotesCounts or kNotesLog
 RELIEVO_CONST uint kSpecSearch = 6u;    // triangles flagged kPrimitiveSearched are there
 RELIEVO_CONST uint kSpecProcedural = 7u;  // procedural height sources are there
 RELIEVO_CONST uint kSpecAlbedo = 8u;      // albedo maps are there
-RELIEVO_CONST uint kSpecCount = 9u;
+RELIEVO_CONST uint kSpecSlants = 9u;      // triangles flagged kPrimitiveSlanted are there
+RELIEVO_CONST uint kSpecCount = 10u;
 RELIEVO_CONST uint kNotesNone = 0u, kNotesCounts = 1u, kNotesLog = 2u;
 
 RELIEVO_CONST uint kGroupWidth = 8u;  // pixels a side of a compute workgroup

@@ -14,6 +14,7 @@ struct PrismRay {
     float t0;          // the ray parameter at tau = 0
     float low, high;   // tau where the ray is inside (one stretch; a hole inside it is possible, samples must test)
     float w0, wd;      // height over the base plane: w0 + wd tau
+    float rise;        // of the ray over the planes at the prism's ends, per unit of tau; wd, where they are not slanted
     vec2 x0, xd;       // the ray in the frame's plane: x0 + xd tau
     vec3 n0, n1, n2;   // constant, linear, square coefficient of each numerator in tau
     bool from_side;    // entered through a bilinear side (not an end, not started inside)
@@ -77,9 +78,17 @@ FUNC float rounding_of_ray(Primitive p, vec3 o) {
     return 3e-7f * max(max(away.x, away.y), away.z);
 }
 
+// How far the planes at the prism's ends rise along the frame's x and y.
+FUNC vec2 slant_of(Primitive p) {
+    if (!kSlants) return vec2(0.0f, 0.0f);
+    return vec2(float(int(p.flags << (32 - kSlantShiftY)) >> kSlantShiftY), float(int(p.flags) >> kSlantShiftY)) * kSlantStep;
+}
+
 // The primitive with its prism higher by that much. A flat triangle's is so thin that a sample before the surface and one
 // behind it could round to one side.
 FUNC Primitive higher(Primitive p, float rounding) {
+    vec2 slant = abs(slant_of(p));
+    rounding *= 1.0f + slant.x + slant.y;
     p.w_low -= rounding;
     p.w_high += rounding;
     return p;
@@ -92,19 +101,26 @@ FUNC bool enter_prism(Primitive p, vec3 o, vec3 d, float t_min, float t_max, flo
     vec3 from = o - p.origin;
     float w = dot(from, p.ng);
     r.wd = dot(d, p.ng);
+    vec2 xd = vec2(dot(d, p.tangent), dot(d, bitangent));
+    float over = w;  // height over the slanted planes, likewise
+    r.rise = r.wd;
+    if (kSlants) {
+        vec2 slant = slant_of(p);
+        over -= dot(slant, vec2(dot(from, p.tangent), dot(from, bitangent)));
+        r.rise -= dot(slant, xd);
+    }
     float t0 = t_min, t1 = t_max;
-    if (r.wd != 0.0f) {
-        float a = (p.w_low - w) / r.wd, b = (p.w_high - w) / r.wd;
+    if (r.rise != 0.0f) {
+        float a = (p.w_low - over) / r.rise, b = (p.w_high - over) / r.rise;
         t0 = max(t0, min(a, b));
         t1 = min(t1, max(a, b));
-    } else if (w < p.w_low || w > p.w_high) {
+    } else if (over < p.w_low || over > p.w_high) {
         return false;
     }
     if (!(t0 <= t1)) return false;
     // Re-origin at the slab's entry: the quadratics then live at the prism's own scale.
     vec3 s = from + d * t0;
     vec2 x0 = vec2(dot(s, p.tangent), dot(s, bitangent));
-    vec2 xd = vec2(dot(d, p.tangent), dot(d, bitangent));
     r.t0 = t0;
     r.x0 = x0;
     r.xd = xd;

@@ -12,6 +12,7 @@ layout(constant_id = 5) const uint kNotes = 0u;  // kNotes* of shared.h
 layout(constant_id = 6) const bool kSearch = true;
 layout(constant_id = 7) const bool kProcedural = true;
 layout(constant_id = 8) const bool kAlbedo = true;
+layout(constant_id = 9) const bool kSlants = true;
 
 layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { FrameData frame; };
 layout(set = 0, binding = kBindPrimitives, scalar) readonly buffer PrimitiveBlock { Primitive primitives[]; };

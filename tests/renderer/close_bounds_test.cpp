@@ -1,5 +1,5 @@
 // Close bounds hold S: no sampled point of a triangle's part leaves its box, hull or plane, whatever the map, and on smooth
-// maps they are as narrow as it.
+// maps they are as narrow as it. So do slanted prisms, which are made of them.
 #include "renderer/close_bounds.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/slant.h"
 #include "tests/support/scenes.h"
 
 namespace relievo::test {
@@ -118,10 +119,19 @@ dvec3 random_place(std::mt19937& rng, int i) {
     return b / (b.x + b.y + b.z);
 }
 
+// Height over the planes at the prism's ends, as shaders/geometry/prism.glsl has it.
+double over_ends(const gpu::Primitive& p, const dvec3& position) {
+    const auto flags = static_cast<std::int32_t>(p.flags);
+    const double x = (flags << (32 - gpu::kSlantShiftY) >> gpu::kSlantShiftY) * double{gpu::kSlantStep};
+    const double y = (flags >> gpu::kSlantShiftY) * double{gpu::kSlantStep};
+    const dvec3 from = position - dvec3(p.origin), bitangent = glm::cross(dvec3(p.ng), dvec3(p.tangent));
+    return glm::dot(from, dvec3(p.ng)) - x * glm::dot(from, dvec3(p.tangent)) - y * glm::dot(from, bitangent);
+}
+
 TEST(CloseBounds, HoldEveryPointOfTheSurface) {
     std::mt19937 rng(11);
     std::uniform_real_distribution<double> u(0, 1);
-    int planes = 0;
+    int planes = 0, slanted = 0;
     for (const TestMap& map : maps()) {
         const HeightPyramid pyramid(map.view(), map.wrap);
         for (const double reach : {0.004, 0.03, 0.2, 1.3}) {
@@ -136,6 +146,9 @@ TEST(CloseBounds, HoldEveryPointOfTheSurface) {
                 const dvec3 direction(u(rng) - 0.5, u(rng) - 0.5, u(rng) - 0.5), origin(0.3, -2, 1);
                 const Extent extent = extent_along(hull, direction, origin);
                 planes += bounds.plane ? 1 : 0;
+                const gpu::Primitive lower = with_slant(t.triangle(), hull);
+                slanted += is_slanted(lower) ? 1 : 0;
+                EXPECT_FALSE(is_slanted(lower) && (lower.flags & (gpu::kPrimitiveFolded | gpu::kPrimitiveSearched)) != 0);
                 for (int i = 0; i < 200; ++i) {
                     const dvec3 b = random_place(rng, i);
                     const auto point = t.at(map, b);
@@ -146,6 +159,10 @@ TEST(CloseBounds, HoldEveryPointOfTheSurface) {
                     const double along = glm::dot(point.position - origin, direction);
                     ASSERT_GE(along, extent.low);
                     ASSERT_LE(along, extent.high);
+                    if (is_slanted(lower)) {
+                        ASSERT_GT(over_ends(lower, point.position), double{lower.w_low});
+                        ASSERT_LT(over_ends(lower, point.position), double{lower.w_high});
+                    }
                     if (!bounds.plane) continue;
                     const auto& c = bounds.plane->corner;
                     const double over = point.count - (b.x * c[0] + b.y * c[1] + b.z * c[2]);
@@ -156,6 +173,7 @@ TEST(CloseBounds, HoldEveryPointOfTheSurface) {
         }
     }
     EXPECT_GT(planes, 200);
+    EXPECT_GT(slanted, 40);
 }
 
 double area(const Box& b) {

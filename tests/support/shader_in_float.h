@@ -44,6 +44,9 @@ using gpu::kPrimitiveFolded;
 using gpu::kPrimitiveOpenEdge0;
 using gpu::kPrimitiveSearched;
 using gpu::kPyramidLevels;
+using gpu::kPrimitiveSlanted;
+using gpu::kSlantShiftY;
+using gpu::kSlantStep;
 using gpu::ObjectData;
 using gpu::Primitive;
 using gpu::PrimitiveNormals;
@@ -60,7 +63,7 @@ struct Subject {
 };
 inline Subject subject;
 
-constexpr bool kProcedural = false, kSearch = true;
+constexpr bool kProcedural = false, kSearch = true, kSlants = true;
 inline bool is_procedural(uint) { return false; }
 constexpr uint kNoteStep = 0, kNoteRoot = 1, kNoteCell = 2, kNoteHit = 3;
 inline void note(uint kind, float, vec2, float, float) {

@@ -26,11 +26,14 @@ const float kMostEdgeMargin = 1e-3f; // or by more where a far ray's rounding as
 const float kBend = 0.05f;           // texels that the path may leave its chord,
 const float kMostTurn = 0.1f;        // part of its length, or of a texel, that it may bend,
 const float kHeightError = 1e-4f;    // how far its height may leave the quadratic, of the amplitude
-const float kFirmBend = 0.25f;       // barycentric: beyond, Newton's steps at a chord's end are not trusted
+const float kFirstStep = 3e-4f;      // barycentric: one of Newton's steps this short leaves less than its square;
+const float kFirmBend = 0.25f;        // barycentric: beyond, Newton's steps at a chord's end are not trusted
 const float kSureError = 2e-6f;      // of the amplitude: a chord this true decides every passage;
 const float kRefinement = 0.2f;      // one that cannot is cut to this part of itself,
 const float kLeastSpan = 1e-4f;      // down to this part of the path
-const float kTornSpan = 1e-3f;       // part of the path that is passed over where no chord holds
+const float kTornSpan = 1e-3f;       // part of the path that is passed over where no chord holds;
+const float kSpanRounding = 2e-6f;   // neither less than this part of the way from the prism's end, which would round away
+const float kShortChord = 4.0f;      // texels: between slanted ends it hardly passes the surface, and is a leaf
 const float kBorder = 1e-5f;         // texels that a polished root may lie outside its cell, beside its rounding
 const float kThere = 1e-4f;          // of the triangle's size: how far a root's shell coordinates may lead beside the ray
 const int kPolishSteps = 8;          // of Newton: near a double root each only halves the way
@@ -118,6 +121,17 @@ FUNC bool polish(Primitive p, ObjectData ob, Shell s, PrismRay r, vec2 cell, vec
     return false;
 }
 
+FUNC bool is_slanted(Primitive p) { return kSlants && (p.flags & kPrimitiveSlanted) != 0u; }
+
+// Two of Newton's steps; between slanted ends, where the guess is mostly that good, one may do.
+FUNC ShellPoint chord_end(Primitive p, Shell shell, PrismRay r, float tau, vec2 guess) {
+    if (!kSlants) return shell_point(p, shell, r, tau, guess, 2);
+    ShellPoint a = shell_point(p, shell, r, tau, guess, 1);
+    vec2 moved = abs(a.b - guess);
+    if (!is_slanted(p) || !(max(moved.x, moved.y) < kFirstStep)) a = shell_point(p, shell, r, tau, a.b, 1);
+    return a;
+}
+
 // The next chord, where the last one ended (which is before the ray leaves the shell).
 FUNC void start_chord(Primitive p, ObjectData ob, Shell shell, PrismRay r, float most_error, float least_span,
                       INOUT(Walk) w) {
@@ -127,7 +141,7 @@ FUNC void start_chord(Primitive p, ObjectData ob, Shell shell, PrismRay r, float
     float span = min(min(r.high - tau, reach), w.longest), over = 0.0f;
     Chord c;
     for (int k = 0; k < kMaxTries; ++k) {
-        w.end = shell_point(p, shell, r, tau + span, a.b + a.db * span, 2);
+        w.end = chord_end(p, shell, r, tau + span, a.b + a.db * span);
         c.b1 = a.db * span;
         c.d1 = a.dtx * span;
         c.h = vec3(a.h, a.dh * span, w.end.h - a.h - a.dh * span);
@@ -147,7 +161,7 @@ FUNC void start_chord(Primitive p, ObjectData ob, Shell shell, PrismRay r, float
     w.s = 0.0f;
     if (!(over <= 1.0f) && span <= least_span) {
         // Beyond the triangle the shell may fold, and the path through it is torn: on from the prism's place.
-        span = min(kTornSpan * (r.high - r.low), r.high - tau);
+        span = min(max(kTornSpan * (r.high - r.low), 4.0f * least_span), r.high - tau);
         vec3 place = prism_barycentrics(r, tau + span);
         w.end = shell_point(p, shell, r, tau + span, vec2(place.y, place.z), 2);
         w.s = 1.0f;
@@ -328,11 +342,12 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     if (!(r.low <= limit)) return false;
     Shell shell = make_shell(p);
     float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high)) + rounding;
-    float sure = kSureError * abs(ob.amplitude) + tolerance, least_span = kLeastSpan * (r.high - r.low);
+    float sure = kSureError * abs(ob.amplitude) + tolerance;
+    float least_span = max(kLeastSpan * (r.high - r.low), kSpanRounding * r.high);
     float most_error = kHeightError * abs(ob.amplitude) + tolerance;
     vec3 entry = prism_barycentrics(r, r.low);
     Walk w;
-    w.end = shell_point(p, shell, r, r.low, vec2(entry.y, entry.z), 2);
+    w.end = chord_end(p, shell, r, r.low, vec2(entry.y, entry.z));
     w.c.tau = r.low;
     w.c.span = 0.0f;
     w.s = 1.0f;
@@ -340,7 +355,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     w.level = least_level(ob);
     w.stretches = 0;
     // Through the top or the bottom of its own height range the side is known; else the first cell tells.
-    w.side = r.from_side || r.from_inside ? 0.0f : (r.wd < 0.0f ? 1.0f : -1.0f);
+    w.side = r.from_side || r.from_inside ? 0.0f : (r.rise < 0.0f ? 1.0f : -1.0f);
     bool met = false, walks = r.low < r.high;
     int rounds = 0;
     do {
@@ -348,8 +363,10 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
         // Polishing moves a root by less than half its chord.
         walks = walks && !(w.c.tau + w.c.span * (w.s - 0.5f) > limit);
         if (walks && w.s < 1.0f) {
-            float to;
-            if (seek_leaf(p, ob, r, tolerance, w, to)) {
+            float to = 1.0f;
+            bool leaf = is_slanted(p) && w.s == 0.0f && texel_rate(w.c) <= kShortChord;
+            if (!leaf) leaf = seek_leaf(p, ob, r, tolerance, w, to);
+            if (leaf) {
                 float side = w.side;
                 bool unsure;
                 met = solve_leaf(p, ob, shell, r, t_min, tolerance, margin, to, w.c.span > least_span ? sure : 1e30f, w, unsure,
