@@ -33,6 +33,7 @@ const float kRefinement = 0.2f;      // one that cannot is cut to this part of i
 const float kLeastSpan = 1e-4f;      // down to this part of the path
 const float kTornSpan = 1e-3f;       // part of the path that is passed over where no chord holds;
 const float kSpanRounding = 2e-6f;   // neither less than this part of the way from the prism's end, which would round away
+const float kEntryRounding = 1e-6f;  // of the distance: hits of neighbours may be equally far, and either's prism begin there
 const float kShortChord = 4.0f;      // texels: between slanted ends it hardly passes the surface, and is a leaf
 const float kBorder = 1e-5f;         // texels that a polished root may lie outside its cell, beside its rounding
 const float kThere = 1e-4f;          // of the triangle's size: how far a root's shell coordinates may lead beside the ray
@@ -339,7 +340,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     // in which a ray meets triangles.
     if (!enter_prism(p, o, d, t_min, kRayEnd, shared_margin + p.shell_margin, r)) return false;
     float limit = t_max - r.t0;
-    if (!(r.low <= limit)) return false;
+    if (!(r.low <= limit + kEntryRounding * abs(t_max))) return false;
     Shell shell = make_shell(p);
     float tolerance = 1e-6f * abs(ob.amplitude) + 4e-7f * max(abs(p.w_low), abs(p.w_high)) + rounding;
     float sure = kSureError * abs(ob.amplitude) + tolerance;
