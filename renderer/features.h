@@ -44,6 +44,7 @@ struct Features {
     bool searched = false;       // search of triangles whose shell folds
     bool slants = false;         // prisms with ends along the surface
     TracePath path = TracePath::ray_query;  // never automatic
+    bool bundles = false;        // rays walk our own BVH eight by eight (shaders/trace/bundle.glsl), else each alone
     bool operator==(const Features&) const = default;
 };
 
@@ -56,6 +57,8 @@ struct FeatureRequest {
     double density = 0;                     // the method's parameter of that name, 0 where it has none
     bool has_searched = false;              // a triangle is flagged kPrimitiveSearched
     bool has_slants = false;                // most triangles are flagged kPrimitiveSlanted
+    bool can_bundle = false;                // the device walks in bundles (DeviceInfo::bundles)
+    int width = 0, height = 0;              // of the image when the renderer was made, pixels
     bool has_colours = false;               // an albedo map was given, whether the scene names a file or not
 };
 

@@ -61,6 +61,9 @@ void Renderer::State::rebuild_for(const Method& m) {
 void Renderer::State::build() {
     request = {method, settings.everything, mended.any(),
                resolve_trace_path(settings.path, context.info()), settings.path != TracePath::automatic};
+    request.can_bundle = context.info().bundles;
+    request.width = settings.width;
+    request.height = settings.height;
     request.has_colours = std::any_of(colours.begin(), colours.end(), [](const ColourView& c) { return !c.empty(); });
     build_scene();
     film = Film(context, commands, settings.width, settings.height);
@@ -120,7 +123,8 @@ void Renderer::State::make_passes() {
     constants[gpu::kSpecSlants] = features.slants ? 1 : 0;
     constants[gpu::kSpecProcedural] = features.procedural ? 1 : 0;
     constants[gpu::kSpecAlbedo] = features.albedo_maps ? 1 : 0;
-    passes = vulkan::Passes(context, set_layout.get(), method->name, features.path, features.driver_triangles, constants);
+    passes = vulkan::Passes(context, set_layout.get(), method->name, features.path, features.driver_triangles, features.bundles,
+                              constants);
 }
 
 // An edit may fold a shell for the first time.

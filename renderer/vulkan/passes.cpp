@@ -20,8 +20,9 @@ constexpr std::array<std::string_view, kPassCount> kRayFiles{"beauty.rgen", "aov
 }  // namespace
 
 Passes::Passes(const Context& context, VkDescriptorSetLayout set_layout, std::string_view method, TracePath path,
-               bool driver_triangles, const SpecConstants& constants)
-    : context_(&context), method_(method), path_(path), driver_triangles_(driver_triangles), constants_(constants) {
+               bool driver_triangles, bool bundles, const SpecConstants& constants)
+    : context_(&context), method_(method), path_(path), driver_triangles_(driver_triangles), bundles_(bundles),
+      constants_(constants) {
     const VkPushConstantRange range{VK_SHADER_STAGE_ALL, 0, sizeof(gpu::PushData)};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
@@ -47,7 +48,7 @@ const Program& Passes::program(Pass pass) {
     if (!programs_[index]) {
         const auto& files = path_ == TracePath::pipeline    ? kRayFiles
                             : path_ == TracePath::ray_query ? kComputeFiles
-                            : context_->info().bundles      ? kBundleFiles
+                            : bundles_                      ? kBundleFiles
                                                             : kBvhFiles;
         const ProgramKey key{std::string(method_), std::string(files[index]), path_, driver_triangles_,
                              constants_of(pass)};

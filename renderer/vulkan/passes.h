@@ -25,7 +25,7 @@ class Passes {
   public:
     Passes() = default;
     Passes(const Context& context, VkDescriptorSetLayout set_layout, std::string_view method, TracePath path,
-           bool driver_triangles, const SpecConstants& constants);
+           bool driver_triangles, bool bundles, const SpecConstants& constants);
 
     // Records the dispatch of width x height invocations (pick: width rays, height 1). Pipelines are made at first
     // use: a pass that nobody asks for is never compiled.
@@ -39,7 +39,7 @@ class Passes {
     const Context* context_ = nullptr;
     std::string_view method_;
     TracePath path_ = TracePath::ray_query;
-    bool driver_triangles_ = false;
+    bool driver_triangles_ = false, bundles_ = false;
     SpecConstants constants_{};
     PipelineLayoutHandle layout_;
     std::array<std::shared_ptr<const Program>, kPassCount> programs_;

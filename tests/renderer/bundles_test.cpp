@@ -77,15 +77,17 @@ TEST_P(Bundles, RaysInAllDirectionsMeetTheSame) {
     }
 }
 
-// Quads one below the other, all of which a ray through them meets: no tree has more nodes that wait.
+// Quads one below the other, all of which a ray through them meets: no tree has more nodes that wait. They face up and down
+// by turns: rays through a flat sheet of so many would walk alone.
 MeshFile pile_mesh(int quads) {
     MeshFile m;
     m.uvs = plane_mesh().uvs;
     for (int i = 0; i < quads; ++i) {
         const auto first = static_cast<std::uint32_t>(m.positions.size());
         for (const glm::dvec3& p : plane_mesh().positions) m.positions.push_back(p - glm::dvec3(0, 1e-3 * i, 0));
-        m.faces.push_back({{first, first + 1, first + 2}, {0, 1, 2}});
-        m.faces.push_back({{first, first + 2, first + 3}, {0, 2, 3}});
+        const std::uint32_t turned = i % 2 == 0 ? 0 : 2;
+        m.faces.push_back({{first + turned, first + 1, first + 2 - turned}, {turned, 1, 2 - turned}});
+        m.faces.push_back({{first + turned, first + 2 - turned, first + 3}, {turned, 2 - turned, 3}});
     }
     return m;
 }

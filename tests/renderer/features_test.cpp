@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -58,6 +59,34 @@ TEST(Features, ADarkSceneTracesNoShadows) {
     EXPECT_FALSE(f.shadows);
     EXPECT_FALSE(f.sky);
     EXPECT_TRUE(derive_features(scene, request_of(true)).shadows);
+}
+
+TEST(Features, RaysOfADenseFlatSheetWalkAlone) {
+    const auto bundled = [](const MeshFile& mesh, int size, bool can_bundle) {
+        FeatureRequest request = request_of();
+        request.can_bundle = can_bundle;
+        request.width = request.height = size;
+        const Scene scene = make_scene(mesh, 0.2);
+        const Features features = derive_features(scene, request);
+        for (const Feature& f : describe_features(scene, request, features, resolve_parameters(*request.method, {})).features)
+            if (f.name == "bundles of rays") EXPECT_EQ(f.built, features.bundles) << f.reason;
+        return features.bundles;
+    };
+    const MeshFile few = plane_mesh(), ball = ball_mesh(160, 80);
+    MeshFile sheet;  // a fan, as flat as a plane
+    sheet.positions = {{0, 0, 0}};
+    sheet.uvs = {{0, 0}};
+    for (std::uint32_t i = 0; i <= 12000; ++i) {
+        const double a = i * 1e-4;
+        sheet.positions.push_back({std::cos(a), 0, -std::sin(a)});
+        sheet.uvs.push_back({std::cos(a), std::sin(a)});
+        if (i > 0) sheet.faces.push_back({{0, i, i + 1}, {0, i, i + 1}});
+    }
+    EXPECT_FALSE(bundled(sheet, 256, true));
+    EXPECT_TRUE(bundled(sheet, 512, true)) << "a bundle meets few triangles";
+    EXPECT_TRUE(bundled(ball, 256, true)) << "each ray alone meets many boxes";
+    EXPECT_TRUE(bundled(few, 256, true));
+    EXPECT_FALSE(bundled(few, 256, false)) << "not on this device";
 }
 
 // What each sample scene builds by each method, by name; all else is left out.
