@@ -33,7 +33,7 @@ enum class GeometryKind {
 
 // Where what a method returns may lie: rays pass a triangle by that do not meet that.
 enum class HitPlace {
-    on_surface,  // on S, but for rounding
+    on_surface,  // on S, but for rounding; its prisms may be slanted (gpu::kPrimitiveSlanted), as enter_prism() meets them
     in_prism,    // between samples in the triangle's prism, widened by the shell margin where it is S that is sampled
     in_box,      // anywhere in the triangle's box
 };
