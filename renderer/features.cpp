@@ -47,15 +47,22 @@ bool needs_slabs(const Scene& scene, const Method& method) {
                        [](const SceneObject& o) { return !o.displacement.procedural.has_value(); });
 }
 
-// A flat mesh of triangles so small that a bundle's rays meet several of them. In such a sheet each ray alone meets few nodes:
-// measured on 512 x 512 pixels, exact, full samples, alone over together: a plane of 12,800 triangles 0.89 to 0.94 (its frame of
+bool any_albedo_map(const Scene& scene, const FeatureRequest& request) {
+    return request.has_colours || std::any_of(scene.objects.begin(), scene.objects.end(), [](const SceneObject& o) {
+               return !o.material.albedo_map.empty();
+           });
+}
+
+}  // namespace
+
+// In such a sheet each ray alone meets few nodes: measured on 512 x 512 pixels, exact, full samples, alone over together: a plane of 12,800 triangles 0.89 to 0.94 (its frame of
 // primary rays 0.90 to 0.96), of 25,000 0.83, of 50,000 0.78 to 0.84, pdm and march likewise, dbvh 0.71. On a sphere, a cube and
 // a knot of 50,000 it is 1.03 to 1.08, and 1.12 to 1.17 for primary rays.
-bool is_dense_sheet(const Scene& scene, const FeatureRequest& request) {
+bool is_dense_sheet(const Scene& scene, int width, int height) {
     constexpr double kPixelsPerTriangle = 16, kFlat = 0.95;
     std::size_t triangles = 0;
     for (const SceneObject& o : scene.objects) triangles += o.mesh.faces.size();
-    if (static_cast<double>(triangles) * kPixelsPerTriangle < double(request.width) * request.height) return false;
+    if (static_cast<double>(triangles) * kPixelsPerTriangle < double(width) * height) return false;
     glm::dvec3 area(0);
     double whole = 0;
     for (const SceneObject& o : scene.objects) {
@@ -69,14 +76,6 @@ bool is_dense_sheet(const Scene& scene, const FeatureRequest& request) {
     }
     return glm::length(area) >= kFlat * whole;
 }
-
-bool any_albedo_map(const Scene& scene, const FeatureRequest& request) {
-    return request.has_colours || std::any_of(scene.objects.begin(), scene.objects.end(), [](const SceneObject& o) {
-               return !o.material.albedo_map.empty();
-           });
-}
-
-}  // namespace
 
 Features derive_features(const Scene& scene, const FeatureRequest& request) {
     const bool all = request.everything;
@@ -98,7 +97,7 @@ Features derive_features(const Scene& scene, const FeatureRequest& request) {
     f.slants = f.true_shell && (all || request.has_slants);
     f.path = request.path;
     f.driver_triangles = f.micro_triangles && f.path != TracePath::bvh;
-    f.bundles = f.path == TracePath::bvh && request.can_bundle && !is_dense_sheet(scene, request);
+    f.bundles = f.path == TracePath::bvh && request.can_bundle && !request.dense_sheet;
     return f;
 }
 

@@ -58,9 +58,13 @@ struct FeatureRequest {
     bool has_searched = false;              // a triangle is flagged kPrimitiveSearched
     bool has_slants = false;                // most triangles are flagged kPrimitiveSlanted
     bool can_bundle = false;                // the device walks in bundles (DeviceInfo::bundles)
-    int width = 0, height = 0;              // of the image when the renderer was made, pixels
+    bool dense_sheet = false;               // is_dense_sheet() for the image as the renderer was made
     bool has_colours = false;               // an albedo map was given, whether the scene names a file or not
 };
+
+// Whether the scene is a flat mesh of triangles so small that in an image of this size (pixels) a bundle's rays meet several of
+// them. Looks at every triangle.
+bool is_dense_sheet(const Scene& scene, int width, int height);
 
 Features derive_features(const Scene& scene, const FeatureRequest& request);
 

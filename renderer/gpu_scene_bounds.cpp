@@ -68,26 +68,26 @@ void GpuScene::bound_closely(const gpu::Primitive& p) {
 }
 
 void GpuScene::write_primitives(std::span<const SurfaceHull> hulls) {
-    auto* device = primitive_buffer_.as<gpu::Primitive>();
-    std::ranges::copy(primitives_, device);
-    if (hits_ != HitPlace::on_surface) return;
     std::vector<gpu::Primitive> slanted;
-    slanted.reserve(primitives_.size());
-    for (std::size_t i = 0; i < primitives_.size(); ++i) slanted.push_back(with_slant(triangle_of(primitives_[i]), hulls[i]));
-    any_slanted_ = 2 * std::ranges::count_if(slanted, is_slanted) >= std::ssize(slanted);
-    if (any_slanted_) std::ranges::copy(slanted, device);
+    if (hits_ == HitPlace::on_surface) {
+        slanted.reserve(primitives_.size());
+        for (std::size_t i = 0; i < primitives_.size(); ++i) slanted.push_back(with_slant(triangle_of(primitives_[i]), hulls[i]));
+        any_slanted_ = 2 * std::ranges::count_if(slanted, is_slanted) >= std::ssize(slanted);
+    }
+    std::ranges::copy(any_slanted_ ? slanted : primitives_, primitive_buffer_.as<gpu::Primitive>());
 }
 
 void GpuScene::update_primitive(const Object& object, std::uint32_t face) {
     const std::uint32_t i = object.primitive_of[face];
     gpu::Primitive& p = primitives_[i];
     set_bounds(object, face, p);
-    primitive_buffer_.as<gpu::Primitive>()[i] = any_slanted_ ? with_slant(triangle_of(p), hull_of(p)) : p;
+    const SurfaceHull hull = hits_ != HitPlace::in_box ? hull_of(p) : SurfaceHull{};
+    primitive_buffer_.as<gpu::Primitive>()[i] = any_slanted_ ? with_slant(triangle_of(p), hull) : p;
     any_searched_ = any_searched_ || (p.flags & gpu::kPrimitiveSearched) != 0;
     if (micro_) micro_->move(i, p, micro_object(object).displacement, tree_);
     else {
         tree_.set_box(i, box_of(p));
-        if (hits_ != HitPlace::in_box) tree_.set_hull(i, hull_of(p));
+        if (hits_ != HitPlace::in_box) tree_.set_hull(i, hull);
     }
 }
 

@@ -62,8 +62,7 @@ void Renderer::State::build() {
     request = {method, settings.everything, mended.any(),
                resolve_trace_path(settings.path, context.info()), settings.path != TracePath::automatic};
     request.can_bundle = context.info().bundles;
-    request.width = settings.width;
-    request.height = settings.height;
+    request.dense_sheet = is_dense_sheet(scene, settings.width, settings.height);
     request.has_colours = std::any_of(colours.begin(), colours.end(), [](const ColourView& c) { return !c.empty(); });
     build_scene();
     film = Film(context, commands, settings.width, settings.height);

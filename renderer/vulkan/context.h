@@ -18,7 +18,7 @@ struct DeviceInfo {
     bool is_cpu = false;
     bool ray_query = false, ray_pipeline = false;
     TracePath best_path = TracePath::bvh;  // what automatic means
-    bool bundles = false;  // TracePath::bvh walks by bundles of eight rays (shaders/trace/bundle.glsl), else ray by ray
+    bool bundles = false;  // TracePath::bvh can walk by bundles of eight rays (shaders/trace/bundle.glsl), else ray by ray
     bool usable = false;
     std::string verdict;  // why it is usable and which path it takes, or what it lacks
 };

@@ -6,12 +6,6 @@ const float kSharedEdgeMargin = 1e-5f;      // barycentric,
 const float kOpenEdgeMargin = 0.0f;         // at an edge without neighbour: beyond it stands nothing
 const float kMostSharedEdgeMargin = 1e-3f;  // or by more where a far ray's rounding asks for it
 
-// What rounding of the ray's origin may do, world units.
-FUNC float ray_rounding(Primitive p, vec3 o) {
-    vec3 away = abs(o - p.origin);
-    return 3e-7f * max(max(away.x, away.y), away.z);
-}
-
 // Of the edges opposite vertices 0, 1 and 2, barycentric.
 FUNC vec3 edge_margins(Primitive p, float rounding) {
     float inner = min(kSharedEdgeMargin + rounding / min(p.q1x, p.q2.y), kMostSharedEdgeMargin);

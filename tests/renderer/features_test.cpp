@@ -65,8 +65,8 @@ TEST(Features, RaysOfADenseFlatSheetWalkAlone) {
     const auto bundled = [](const MeshFile& mesh, int size, bool can_bundle) {
         FeatureRequest request = request_of();
         request.can_bundle = can_bundle;
-        request.width = request.height = size;
         const Scene scene = make_scene(mesh, 0.2);
+        request.dense_sheet = is_dense_sheet(scene, size, size);
         const Features features = derive_features(scene, request);
         for (const Feature& f : describe_features(scene, request, features, resolve_parameters(*request.method, {})).features)
             if (f.name == "bundles of rays") EXPECT_EQ(f.built, features.bundles) << f.reason;

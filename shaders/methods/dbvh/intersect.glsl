@@ -206,7 +206,7 @@ FUNC bool intersect_surface(Primitive p, ObjectData ob, vec4 parameters, vec3 o,
     int leaf_level = leaf_level_of(p, ob, parameters.y);
     float stride = power_of_two(leaf_level), pixel = parameters.z > 0.5f ? pixel_spread() : 0.0f;
     DbvhRay r;
-    r.rounding = ray_rounding(p, o);
+    r.rounding = rounding_of_ray(p, o);
     r.margin = edge_margins(p, r.rounding);
     r.t_min = t_min;
     r.t0 = dot(p.origin - o, d);
