@@ -22,7 +22,7 @@ const Method kExact{
     HitPlace::on_surface,
     MapBounds::planes,
     kParameters,
-    131072,
+    1048576,
 };
 
 }  // namespace relievo

@@ -11,7 +11,7 @@
 // code, its bits turned so that the base triangle's near side comes first: what lies behind a hit is not divided.
 #include "exact_sums.glsl"
 
-const int kMaxPatches = 131072;      // a triangle: beyond, the best of what was found counts
+const int kMaxPatches = 1048576;      // a triangle: beyond, the best of what was found counts
 const int kPatchDepth = 15;
 const float kPatchTexels = 1.0f;     // of a patch that is solved
 const float kLeastLength = 1e-3f;    // of N: below, it is taken to point anywhere
