@@ -23,6 +23,14 @@ FUNC vec3 surface_point(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 b) 
            normalize(base_normal(n, b)) * displacement_at(p, ob, b);
 }
 
+// From the base triangle to the curved surface that its vertex normals tell of, where that stands over it: the place's
+// distances below the vertices' tangent planes, blended (Hanika, Hacking the Shadow Terminator, Ray Tracing Gems II, 2021).
+FUNC vec3 bulge_over(Primitive p, PrimitiveNormals n, vec2 b) {
+    vec3 from0 = base_edge1(p) * b.x + base_edge2(p) * b.y, from1 = from0 - base_edge1(p), from2 = from0 - base_edge2(p);
+    return n.n0 * (max(-dot(from0, n.n0), 0.0f) * (1.0f - b.x - b.y)) + n.n1 * (max(-dot(from1, n.n1), 0.0f) * b.x) +
+           n.n2 * (max(-dot(from2, n.n2), 0.0f) * b.y);
+}
+
 // Unit normal of S on the side of the base triangle's normal, from the derivatives of S with the given gradient of
 // the map (per texel). Falls back to the base normal where S has no tangent plane.
 FUNC vec3 surface_normal(Primitive p, PrimitiveNormals n, ObjectData ob, vec2 b, vec2 gradient) {

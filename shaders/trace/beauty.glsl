@@ -22,8 +22,15 @@ Shading shading_at(TraceHit h, vec3 d) {
     s.view = -d;
     s.ng = geometric_normal(p, n, s.ob, h.b);
     s.ns = shading_normal(p, n, s.ob, frame.parameters0, h.b);
+    s.base_ng = surface_normal(p, n, s.ob, h.b, vec2(0.0));
+    s.base_ns = normalize(base_normal(n, h.b));
+    s.bulge = bulge_over(p, n, h.b);
     // The base normal's side is outside; the inside is lit as seen.
-    if (dot(s.ng, s.view) < 0.0) { s.ng = -s.ng; s.ns = -s.ns; }
+    if (dot(s.ng, s.view) < 0.0) {
+        s.ng = -s.ng;
+        s.ns = -s.ns;
+        s.bulge = vec3(0.0);
+    }
     // A shading normal turned away from the viewer would be black: bend it back.
     float back = dot(s.ns, s.view);
     if (back < 0.01) s.ns = normalize(s.ns + s.view * (0.01 - back));
@@ -45,20 +52,19 @@ vec3 unshadowed_lights(Shading s, uint pixel, bool preview) {
 vec4 radiance_along(vec3 camera_ray, uint pixel, bool preview, bool has_ray) {
     Shading s;
     SecondaryRay ray;
-    vec3 origin = frame.eye;
     vec4 sum = vec4(0.0);
+    ray.origin = frame.eye;
     ray.direction = camera_ray;
     ray.reach = has_ray ? kFar : kNoReach;
     ray.radiance = vec3(0.0);
     uint traced = 0u, last = kShadows ? secondary_rays(preview) : 0u;
     do {
-        TraceHit h = trace_ray(origin, ray.direction, 0.0, ray.reach, traced > 0u, pixel);
+        TraceHit h = trace_ray(ray.origin, ray.direction, 0.0, ray.reach, traced > 0u, pixel);
         bool hit = h.primitive != kNoHit;
         if (traced > 0u) {
             if (!hit && ray.reach >= 0.0) sum.rgb += ray.radiance;
         } else if (hit) {
             s = shading_at(h, camera_ray);
-            origin = s.offset_point;
             sum.a = 1.0;
         } else {
             sum.rgb = sky_radiance(camera_ray);

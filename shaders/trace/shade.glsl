@@ -23,6 +23,8 @@ void orthonormal(vec3 n, out vec3 t, out vec3 b) {  // Duff and others 2017
 struct Shading {
     vec3 point, offset_point;  // offset_point: where secondary rays start
     vec3 ng, ns, view;         // geometric and shading normal towards the viewer, direction to the viewer
+    vec3 base_ng, base_ns;     // of the surface without relief, outwards: geometric, and blended from the vertices'
+    vec3 bulge;                // from there to the curved surface that base_ns tells of; 0 seen from inside
     ObjectData ob;
 };
 
@@ -70,7 +72,7 @@ vec3 light_irradiance(LightData l, vec3 point, vec2 u, out vec3 light, out float
 
 // Rays from the surface towards lights and sky, and what each brings where nothing is in its way.
 struct SecondaryRay {
-    vec3 direction;
+    vec3 origin, direction;
     float reach;
     vec3 radiance;  // reflected to the viewer
 };
@@ -86,10 +88,18 @@ bool sky_ray(Shading s, uint pixel, out SecondaryRay ray) {
     float r = sqrt(u), phi = 2.0 * kPi * v;
     vec3 t, b;
     orthonormal(s.ns, t, b);
+    ray.origin = s.offset_point;
     ray.direction = normalize(t * (r * cos(phi)) + b * (r * sin(phi)) + s.ns * sqrt(max(0.0, 1.0 - u)));
     ray.reach = 1e30;
     ray.radiance = s.ob.albedo * sky_radiance(ray.direction);
     return dot(ray.direction, s.ng) > 0.0;
+}
+
+// Whether the base triangle turns away from light that still grazes the curved surface it stands for. Its own shadow would
+// show the triangles of a coarse mesh as teeth: there, and only there, shadow rays start from the curved surface (Hanika
+// 2021), so that relief keeps its shadows on all triangles that the light reaches.
+bool beyond_terminator(Shading s, vec3 light) {
+    return dot(s.base_ng, light) <= 0.0 && dot(s.base_ns, light) > 0.0 && s.bulge != vec3(0.0);
 }
 
 // False where the i-th ray brings nothing.
@@ -99,7 +109,9 @@ bool secondary_ray(Shading s, uint i, uint pixel, bool preview, out SecondaryRay
                                         random_at(pixel, push.sample_index, 0x51000001u + 2u * i));
     vec3 irradiance = light_irradiance(frame.lights[i], s.point, u, ray.direction, ray.reach);
     ray.radiance = reflected(s, ray.direction, irradiance);
-    return dot(s.ng, ray.direction) > 0.0 && dot(s.ns, ray.direction) > 0.0;
+    bool lifted = beyond_terminator(s, ray.direction);
+    ray.origin = s.offset_point + (lifted ? s.bulge : vec3(0.0));
+    return (lifted || dot(s.ng, ray.direction) > 0.0) && dot(s.ns, ray.direction) > 0.0;
 }
 
 // Light of the sky that no ray asks for: its mirror image, and where shadows are not wanted or only hard ones its diffuse light.
