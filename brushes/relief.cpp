@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kReach = 2.2;  // of a fit, in texel spacings
 constexpr std::size_t kFewTexels = 24;
+// Of a cell of the wider grids, about: where few sites stand, all of them count; where as many as in a finest
+// grid's cells stand side by side, a fit from afar needs no more of them, and would take a hundred times as long.
+constexpr std::uint32_t kMostOfCell = 64;
 constexpr double kWidening = 4.0;  // of the reach, from grid to grid: islands may differ in scale
 
 std::int64_t cell_of(double place, double cell) {
@@ -162,7 +165,8 @@ std::optional<double> Relief::fit(std::size_t level, glm::dvec3 base, glm::dvec3
     for (int corner = 0; corner < 8; ++corner) {
         const auto [first, held] = grid.cells.find(
             CellTable::key(low[0] + (corner & 1), low[1] + (corner >> 1 & 1), low[2] + (corner >> 2 & 1)));
-        for (std::uint32_t i = first; i < first + held; ++i) {
+        const std::uint32_t step = level == 0 ? 1 : 1 + held / kMostOfCell;
+        for (std::uint32_t i = first; i < first + held; i += step) {
             const Site& site = sites_[order ? order[i] : i];
             const glm::dvec3 offset = glm::dvec3(site.base) - base;
             if (!(glm::dot(glm::dvec3(site.normal), n) > 0.0)) continue;

@@ -1,7 +1,9 @@
 // Stamp and clone on a ball of six texture islands and on a strip whose halves differ in turn and scale.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -168,6 +170,38 @@ TEST(CloneSource, oppositeNormalsAndPlacesOffTheMeshStillHaveASource) {
     beside.at(sheet.surface, sheet.near({0.1, 0.5, 0}));
     const SurfacePoint off = sheet.at(beside.foreseen(sheet.surface, sheet.near({0.5, 0.5, 0})).point);
     EXPECT_NEAR(off.base.x, 1.0f, 1e-5f) << "the nearest point of the mesh";
+}
+
+// A third as wide along x as along y and z.
+Mesh lens() {
+    Mesh mesh = globe(48, 24);
+    for (glm::vec3& p : mesh.positions) p.x /= 3;
+    for (glm::vec3& n : mesh.normals) n = glm::normalize(n * glm::vec3(3, 1, 1));
+    measure_bounds(mesh);
+    return mesh;
+}
+
+// Processor seconds of one dab over the lens's broad side, the least of three; clone takes from its edge.
+double seconds_of_dab(Tool tool) {
+    double least = 1e9;
+    for (int i = 0; i < 3; ++i) {
+        Object object(lens(), 512);
+        Brush brush;
+        brush.tool = tool;
+        brush.radius = 1;
+        object.sculptor.begin(brush);
+        const FacePoint target = object.near({0.33, 0, 0}), source = object.near({0, 0, 1});
+        const std::vector<FacePoint> sources(tool == Tool::clone ? 1 : 0, source);
+        const std::clock_t begun = std::clock();
+        object.sculptor.dab(object.dab(target), {}, sources);
+        least = std::min(least, static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC);
+    }
+    return least;
+}
+
+// Where the source's side ends, places have no texel near, and ask wider and wider around.
+TEST(CloneSource, narrowerThanTheBrushTakesNoLongerThanOtherToolsThatResample) {
+    EXPECT_LT(seconds_of_dab(Tool::clone), 3 * seconds_of_dab(Tool::pinch));
 }
 
 }  // namespace
