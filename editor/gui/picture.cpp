@@ -42,7 +42,7 @@ Picture::Picture(vulkan::Context& context, VkFormat format)
 }
 
 Picture::~Picture() {
-    context_->wait_idle();
+    vkDeviceWaitIdle(context_->device());
 }
 
 void Picture::resize(PixelSize size) {

@@ -31,10 +31,7 @@ void Commands::run(const std::function<void(VkCommandBuffer)>& record) {
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &buffer_;
     const VkFence fence = fence_.get();
-    {
-        const auto held = context_->hold_queue();
-        check(vkQueueSubmit(context_->queue(), 1, &submit, fence), "submitting work");
-    }
+    check(vkQueueSubmit(context_->queue(), 1, &submit, fence), "submitting work");
     check(vkWaitForFences(context_->device(), 1, &fence, VK_TRUE, UINT64_MAX), "waiting for the device");
     check(vkResetFences(context_->device(), 1, &fence), "resetting a fence");
 }
