@@ -47,7 +47,7 @@ void pack(Texel* to, const ColourView& colours, const TexelRegion& r, Encode enc
 }  // namespace
 
 AlbedoImage::AlbedoImage(vulkan::Context& context, vulkan::Commands& commands, const ColourView& colours,
-                         bool clamp)
+                         bool clamp, const WorkPart& part)
     : is_map_(!colours.empty()), bits_(colours.bits > 8 ? 16 : 8) {
     const ColourView texels =
         is_map_ ? colours : ColourView{1, 1, 8, {kUnread.data(), kUnread.data(), kUnread.data()}};
@@ -62,6 +62,7 @@ AlbedoImage::AlbedoImage(vulkan::Context& context, vulkan::Commands& commands, c
     constexpr int kBand = 512;
     vulkan::Buffer staging;
     for (int y = 0; y < texels.height; y += kBand) {
+        part.at(static_cast<double>(y) / texels.height);
         const TexelRegion band{0, y, texels.width, std::min(texels.height, y + kBand)};
         copy(context, commands, staging, texels, std::span(&band, 1));
     }

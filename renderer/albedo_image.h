@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "renderer/beside.h"
 #include "renderer/renderer.h"
 #include "renderer/vulkan/commands.h"
 #include "renderer/vulkan/resources.h"
@@ -15,7 +16,8 @@ class AlbedoImage {
   public:
     AlbedoImage() = default;
     // An empty view makes one texel that nobody reads: descriptors need an image.
-    AlbedoImage(vulkan::Context& context, vulkan::Commands& commands, const ColourView& colours, bool clamp);
+    AlbedoImage(vulkan::Context& context, vulkan::Commands& commands, const ColourView& colours, bool clamp,
+                const WorkPart& part);
 
     bool is_map() const { return is_map_; }
     VkDescriptorImageInfo descriptor() const {

@@ -19,6 +19,10 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
+// Parts of the time that a scene takes, about; and after how many triangles it is told again.
+constexpr double kMapsLoaded = 0.6, kBounded = 0.8, kSorted = 0.83, kHulled = 0.88;
+constexpr std::size_t kTellAfter = 256;
+
 int wrapped(double texel, int size, Wrap wrap) {
     if (wrap == Wrap::clamp) return static_cast<int>(std::clamp(texel, 0.0, static_cast<double>(size - 1)));
     return static_cast<int>(texel - size * std::floor(texel / size));
@@ -61,23 +65,33 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, int> count_edge_uses(const Mes
 
 GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const Scene& scene,
                    std::span<const HeightView> maps, std::span<const ColourView> colours, const Features& features,
-                   const std::vector<Mesh>& meshes)
+                   const std::vector<Mesh>& meshes, const SceneBefore& before, const WorkPart& part)
     : context_(context), commands_(commands), meets_surface_(features.true_shell), hits_(features.hits) {
+    const std::size_t count = scene.objects.size();
+    objects_.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+        describe_object(scene.objects[i], maps[i], meshes[i], maps_before(before, i).heights);
+    if (features.micro_triangles) micro_.emplace(micro_objects(), features.density);  // refused before anything is built
     std::vector<gpu::Primitive> found;
-    objects_.reserve(scene.objects.size());
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        objects_.emplace_back();
-        objects_.back().mesh = meshes[i];
-        add_object(scene.objects[i], maps[i], features, found);
-        objects_.back().albedo = AlbedoImage(context, commands, colours[i], objects_.back().wrap == Wrap::clamp);
+    for (std::size_t i = 0; i < count; ++i) {
+        const WorkPart of_object = part.within(kMapsLoaded * double(i) / double(count), kMapsLoaded * double(i + 1) / double(count));
+        const MapsBefore taken_over = maps_before(before, i);
+        load_heights(objects_[i], features, taken_over.heights, of_object.within(0, 0.7));
+        add_primitives(objects_[i], static_cast<std::uint32_t>(i), found);
+        load_pictures(scene.objects[i], objects_[i], colours[i], features, taken_over.pictures, of_object.within(0.7, 1));
     }
     if (found.empty()) throw std::invalid_argument(scene.path.string() + ": no triangle of the scene has an area");
+    const auto tell = [&, all = static_cast<double>(found.size())](std::size_t done, double begin, double end) {
+        if (done % kTellAfter == 0) part.at(begin + (end - begin) * static_cast<double>(done) / all);
+    };
     std::vector<Box> boxes;
     boxes.reserve(found.size());
     for (const gpu::Primitive& p : found) {
+        tell(boxes.size(), kMapsLoaded, kBounded);
         bound_closely(p);
         boxes.push_back(box_of(p));
     }
+    part.at(kBounded, kSorted);
     const auto order = spatial_order(boxes);
 
     primitives_.reserve(order.size());
@@ -86,6 +100,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
     std::vector<SurfaceHull> hulls;
     sorted.reserve(order.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
+        tell(i, kSorted, kHulled);
         const gpu::Primitive& p = primitives_.emplace_back(found[order[i]]);
         normals_.as<gpu::PrimitiveNormals>()[i] = primitive_normals(objects_[p.object].mesh, p.face);
         objects_[p.object].primitive_of[p.face] = i;
@@ -95,10 +110,9 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
     primitive_buffer_ =
         vulkan::Buffer(context, primitives_.size() * sizeof(gpu::Primitive), kStorage, vulkan::Access::host);
     write_primitives(hulls);
-    if (features.micro_triangles) {
-        std::vector<MicroScene::Object> micro_objects;
-        for (const Object& o : objects_) micro_objects.push_back(micro_object(o));
-        micro_.emplace(context, micro_objects, primitives_, features.density, features.path);
+    part.at(kHulled, 1);
+    if (micro_) {
+        micro_->build(context, micro_objects(), primitives_, features.path);
         if (!features.driver_triangles) sorted = micro_->take_boxes();
     }
     tree_ = features.driver_triangles ? SceneTree(context, commands, micro_->triangles())
@@ -112,7 +126,7 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
         data.midlevel = static_cast<float>(objects_[i].midlevel);
         data.map_size = {maps[i].width, maps[i].height};
         data.radius = objects_[i].mesh.sphere_radius;
-        data.albedo_map = objects_[i].albedo.is_map() ? 1 : 0;
+        data.albedo_map = objects_[i].albedo->is_map() ? 1 : 0;
         data.slabs_left_out = objects_[i].slabs_left_out;
         data.clamp_wrap = objects_[i].wrap == Wrap::clamp ? 1 : 0;
         set_material(i, scene.objects[i].material);
@@ -129,30 +143,27 @@ GpuScene::GpuScene(vulkan::Context& context, vulkan::Commands& commands, const S
     staging_ = {};  // as large as the largest map; edits are smaller
 }
 
-void GpuScene::add_object(const SceneObject& description, const HeightView& map, const Features& features,
-                          std::vector<gpu::Primitive>& primitives) {
-    Object& object = objects_.back();
+GpuScene::MapsBefore GpuScene::maps_before(const SceneBefore& before, std::size_t index) const {
+    if (!before.scene) return {};
+    const Object& object = before.scene->objects_[index];
+    return {before.other_heights == index ? nullptr : &object, &object};
+}
+
+void GpuScene::describe_object(const SceneObject& description, const HeightView& map, const Mesh& mesh, const Object* before) {
+    Object& object = objects_.emplace_back();
     const Displacement& displacement = description.displacement;
+    object.mesh = mesh;
     object.wrap = displacement.wrap;
     object.amplitude = displacement.amplitude;
     object.midlevel = displacement.midlevel;
     object.heights = map;
-    if (displacement.procedural) {
-        object.source = std::make_unique<ProceduralSource>(*displacement.procedural, map.width, map.height, map.texels);
-        load_source(object);
-    } else {
-        object.bounds = std::make_unique<HeightBounds>(map.width, map.height, map.texels, object.wrap);
-        object.lookup = std::make_unique<TriangleLookup>(object.mesh, map.width, map.height, object.wrap);
-    }
-    add_primitives(object, {{map.width, map.height}, object.wrap == Wrap::clamp, object.source.get()}, primitives);
-    const HeightView shown{map.width, map.height, object.source ? object.source->gaussianised().data() : map.texels};
-    load_map(object, shown, features);
-    if (has_close_bounds(object)) object.close.resize(object.mesh.faces.size());
-    load_opacity(description, object, features.opacity);
+    if (before) object.source = before->source;
+    else if (displacement.procedural)
+        object.source = std::make_shared<ProceduralSource>(*displacement.procedural, map.width, map.height, map.texels);
 }
 
-void GpuScene::add_primitives(Object& object, const TexelSpace& texels, std::vector<gpu::Primitive>& primitives) {
-    const auto index = static_cast<std::uint32_t>(objects_.size() - 1);
+void GpuScene::add_primitives(Object& object, std::uint32_t index, std::vector<gpu::Primitive>& primitives) {
+    const TexelSpace texels{{object.heights.width, object.heights.height}, object.wrap == Wrap::clamp, object.source.get()};
     object.primitive_of.assign(object.mesh.faces.size(), kNone);
     object.ranges.resize(object.mesh.faces.size());
     const auto uses = count_edge_uses(object.mesh);
@@ -167,6 +178,12 @@ void GpuScene::add_primitives(Object& object, const TexelSpace& texels, std::vec
         any_searched_ = any_searched_ || (p->flags & gpu::kPrimitiveSearched) != 0;
         primitives.push_back(*p);
     }
+}
+
+std::vector<MicroScene::Object> GpuScene::micro_objects() const {
+    std::vector<MicroScene::Object> all;
+    for (const Object& o : objects_) all.push_back(micro_object(o));
+    return all;
 }
 
 // S as the device has it: bilinear between texels, in double.
@@ -184,20 +201,17 @@ MicroScene::Object GpuScene::micro_object(const Object& object) const {
             }};
 }
 
-void GpuScene::load_source(Object& object) {
-    const auto table = object.source->inverse();
-    object.inverse = vulkan::Buffer(context_, table.size_bytes(), kStorage, vulkan::Access::host);
-    std::memcpy(object.inverse.mapped(), table.data(), table.size_bytes());
-}
-
 void GpuScene::upload_colours(std::size_t index, const ColourView& colours, std::span<const TexelRegion> regions) {
-    objects_.at(index).albedo.upload(context_, commands_, staging_, colours, regions);
+    objects_.at(index).albedo->upload(context_, commands_, staging_, colours, regions);
 }
 
-void GpuScene::set_colours(std::size_t index, const ColourView& colours) {
-    Object& object = objects_.at(index);
-    object.albedo = AlbedoImage(context_, commands_, colours, object.wrap == Wrap::clamp);
-    object_data_.as<gpu::ObjectData>()[index].albedo_map = 1;
+std::shared_ptr<AlbedoImage> GpuScene::colour_image(std::size_t index, const ColourView& colours, const WorkPart& part) const {
+    return std::make_shared<AlbedoImage>(context_, commands_, colours, objects_.at(index).wrap == Wrap::clamp, part);
+}
+
+void GpuScene::set_colours(std::size_t index, std::shared_ptr<AlbedoImage> image) {
+    object_data_.as<gpu::ObjectData>()[index].albedo_map = image->is_map() ? 1 : 0;
+    objects_.at(index).albedo = std::move(image);
 }
 
 UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span<const TexelRegion> regions) {
@@ -292,11 +306,11 @@ void GpuScene::write_bindings(VkDescriptorSet set) const {
         VkDescriptorBufferInfo{procedural_.get(), 0, VK_WHOLE_SIZE}};
     std::vector<VkDescriptorImageInfo> maps, opacities, pyramids, slabs, albedos;
     for (const Object& o : objects_) {
-        maps.push_back({o.map_sampler.get(), o.map.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
-        pyramids.push_back({o.map_sampler.get(), o.pyramid_image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
-        slabs.push_back({o.map_sampler.get(), o.slab_image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
-        albedos.push_back(o.albedo.descriptor());
-        opacities.push_back({o.opacity_sampler.get(), o.opacity.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        maps.push_back({o.map_sampler.get(), o.map->view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        pyramids.push_back({o.map_sampler.get(), o.pyramid_image->view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        slabs.push_back({o.map_sampler.get(), o.slab_image->view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        albedos.push_back(o.albedo->descriptor());
+        opacities.push_back({o.opacity_sampler.get(), o.opacity->view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
     }
     std::vector<VkWriteDescriptorSet> writes;
     const auto add = [&](std::uint32_t binding, VkDescriptorType type, std::size_t count) -> VkWriteDescriptorSet& {
@@ -327,7 +341,7 @@ std::uint64_t GpuScene::primitive_bytes() const {
 
 std::uint64_t GpuScene::map_bytes() const {
     std::uint64_t sum = 0;
-    for (const Object& o : objects_) sum += o.map.bytes();
+    for (const Object& o : objects_) sum += o.map->bytes();
     return sum;
 }
 
@@ -339,25 +353,25 @@ std::uint64_t GpuScene::procedural_bytes() const {
 
 std::uint64_t GpuScene::pyramid_bytes() const {
     std::uint64_t sum = 0;
-    for (const Object& o : objects_) sum += o.has_pyramid ? o.pyramid_image.bytes() : 0;
+    for (const Object& o : objects_) sum += o.has_pyramid ? o.pyramid_image->bytes() : 0;
     return sum;
 }
 
 std::uint64_t GpuScene::slab_bytes() const {
     std::uint64_t sum = 0;
-    for (const Object& o : objects_) sum += o.has_slabs ? o.slab_image.bytes() : 0;
+    for (const Object& o : objects_) sum += o.has_slabs ? o.slab_image->bytes() : 0;
     return sum;
 }
 
 std::uint64_t GpuScene::albedo_bytes() const {
     std::uint64_t sum = 0;
-    for (const Object& o : objects_) sum += o.albedo.bytes();
+    for (const Object& o : objects_) sum += o.albedo->bytes();
     return sum;
 }
 
 std::uint64_t GpuScene::opacity_bytes() const {
     std::uint64_t sum = 0;
-    for (const Object& o : objects_) sum += o.opacity.bytes();
+    for (const Object& o : objects_) sum += o.opacity->bytes();
     return sum;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/albedo_image.h"
+#include "renderer/beside.h"
 #include "renderer/close_bounds.h"
 #include "renderer/features.h"
 #include "renderer/height_pyramid.h"
@@ -25,16 +26,25 @@ struct PrimitiveId {
     std::uint32_t object, face;
 };
 
+class GpuScene;
+
+// What a scene takes over of the one before it: all objects' maps that are the same. The two hold them together.
+struct SceneBefore {
+    const GpuScene* scene = nullptr;                   // none: nothing
+    std::optional<std::size_t> other_heights{};        // of this object they are others
+};
+
 class GpuScene {
   public:
     // Builds everything from one mesh an object, as traced (creases mended where the method wants it).
     GpuScene(vulkan::Context& context, vulkan::Commands& commands, const Scene& scene,
              std::span<const HeightView> maps, std::span<const ColourView> colours, const Features& features,
-             const std::vector<Mesh>& meshes);
+             const std::vector<Mesh>& meshes, const SceneBefore& before, const WorkPart& part);
 
     UploadStats upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions);
     void upload_colours(std::size_t object, const ColourView& colours, std::span<const TexelRegion> regions);
-    void set_colours(std::size_t object, const ColourView& colours);
+    std::shared_ptr<AlbedoImage> colour_image(std::size_t object, const ColourView& colours, const WorkPart& part) const;
+    void set_colours(std::size_t object, std::shared_ptr<AlbedoImage> image);
     void set_displacement(std::size_t object, double amplitude, double midlevel);
     void set_material(std::size_t object, const Material& material);
     void set_ray_offset(double fraction_of_radius);
@@ -74,28 +84,36 @@ class GpuScene {
         std::vector<DisplacementRange> ranges;   // of traced faces; only ever wider while the map is edited
         // Of traced faces, where the method's hits lie on S itself and heights are a map. Else none.
         std::vector<CloseBounds> close;
-        std::unique_ptr<HeightBounds> bounds;
+        std::shared_ptr<HeightBounds> bounds;
         std::unique_ptr<TriangleLookup> lookup;
-        std::unique_ptr<HeightPyramid> pyramid;  // where the method bounds heights
-        std::unique_ptr<ProceduralSource> source;  // of procedural heights; then bounds and lookup are not there, and
+        std::shared_ptr<HeightPyramid> pyramid;  // where the method bounds heights
+        std::shared_ptr<ProceduralSource> source;  // of procedural heights; then bounds and lookup are not there, and
         vulkan::Buffer inverse;                    // the map is the Gaussianised exemplar
         bool thin_over_lattice = false;            // one of its triangles is (ProceduralSource)
-        vulkan::Image map, opacity, pyramid_image, slab_image;
+        std::shared_ptr<vulkan::Image> map, opacity, pyramid_image, slab_image;
         bool has_pyramid = false, has_slabs = false;  // else their images are one node that stands in
         int slabs_left_out = 0;                       // finest levels
-        AlbedoImage albedo;
+        std::shared_ptr<AlbedoImage> albedo;
         vulkan::SamplerHandle map_sampler, opacity_sampler;
         Wrap wrap = Wrap::repeat;
         double amplitude = 0, midlevel = 0;
         HeightView heights;  // as last uploaded
     };
-    void add_object(const SceneObject& object, const HeightView& map, const Features& features,
-                    std::vector<gpu::Primitive>& primitives);
-    void add_primitives(Object& object, const TexelSpace& texels, std::vector<gpu::Primitive>& primitives);
-    void load_map(Object& object, const HeightView& map, const Features& features);
+    // The object in the scene before this one, where it has its heights, or its other maps, from there. Else null.
+    struct MapsBefore {
+        const Object *heights = nullptr, *pictures = nullptr;
+    };
+    MapsBefore maps_before(const SceneBefore& before, std::size_t index) const;
+    void describe_object(const SceneObject& description, const HeightView& map, const Mesh& mesh, const Object* before);
+    void load_heights(Object& object, const Features& features, const Object* before, const WorkPart& part);
+    void load_pictures(const SceneObject& description, Object& object, const ColourView& colours, const Features& features,
+                       const Object* before, const WorkPart& part);
+    void add_primitives(Object& object, std::uint32_t index, std::vector<gpu::Primitive>& primitives);
+    void load_map(Object& object, const HeightView& map, const WorkPart& part);
     void load_source(Object& object);
-    void load_bounds(Object& object, const HeightView& map);
+    void load_bounds(Object& object, const HeightView& map, const Object* before, const WorkPart& part);
     void load_opacity(const SceneObject& description, Object& object, bool wanted);
+    std::vector<MicroScene::Object> micro_objects() const;
     void upload_texels(Object& object, const HeightView& map, std::span<const TexelRegion> regions);
     void upload_bounds(Object& object, const HeightView& map, const std::vector<HeightPyramid::Nodes>& changed);
     template <typename Texel, typename NodeOf>

@@ -34,63 +34,112 @@ VkBufferImageCopy image_copy(const TexelRegion& r, VkDeviceSize offset) {
 
 }  // namespace
 
-void GpuScene::load_map(Object& object, const HeightView& map, const Features& features) {
+void GpuScene::load_heights(Object& object, const Features& features, const Object* before, const WorkPart& part) {
+    const HeightView& map = object.heights;
+    const HeightView shown{map.width, map.height, object.source ? object.source->gaussianised().data() : map.texels};
+    object.has_slabs = features.slabs && !object.source;
+    object.has_pyramid = features.pyramid && !object.has_slabs;
+    object.map_sampler = vulkan::make_sampler(context_, object.wrap == Wrap::clamp, false);
+    if (object.source) load_source(object);
+    if (before) {
+        object.map = before->map;
+        object.bounds = before->bounds;
+    } else {
+        load_map(object, shown, part.within(0, 0.25));
+        part.at(0.25, 0.3);
+        if (!object.source) object.bounds = std::make_shared<HeightBounds>(map.width, map.height, map.texels, object.wrap);
+    }
+    if (!object.source) object.lookup = std::make_unique<TriangleLookup>(object.mesh, map.width, map.height, object.wrap);
+    load_bounds(object, shown, before, part.within(0.3, 1));
+    if (has_close_bounds(object)) object.close.resize(object.mesh.faces.size());
+}
+
+void GpuScene::load_pictures(const SceneObject& description, Object& object, const ColourView& colours,
+                             const Features& features, const Object* before, const WorkPart& part) {
     const bool clamp = object.wrap == Wrap::clamp;
-    object.map = vulkan::Image(context_, map.width, map.height, VK_FORMAT_R16_UNORM, kTexture);
-    object.map_sampler = vulkan::make_sampler(context_, clamp, false);
+    if (before) {
+        object.opacity = before->opacity;
+        object.opacity_sampler = vulkan::make_sampler(context_, clamp, true);
+    } else {
+        load_opacity(description, object, features.opacity);
+    }
+    object.albedo = before && before->wrap == object.wrap
+                        ? before->albedo
+                        : std::make_shared<AlbedoImage>(context_, commands_, colours, clamp, part);
+}
+
+void GpuScene::load_source(Object& object) {
+    const auto table = object.source->inverse();
+    object.inverse = vulkan::Buffer(context_, table.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, vulkan::Access::host);
+    std::memcpy(object.inverse.mapped(), table.data(), table.size_bytes());
+}
+
+void GpuScene::load_map(Object& object, const HeightView& map, const WorkPart& part) {
+    object.map = std::make_shared<vulkan::Image>(context_, map.width, map.height, VK_FORMAT_R16_UNORM, kTexture);
     commands_.run([&](VkCommandBuffer cmd) {
-        object.map.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        object.map->transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
     for (int y = 0; y < map.height; y += kBand) {
+        part.at(static_cast<double>(y) / map.height);
         const TexelRegion band{0, y, map.width, std::min(map.height, y + kBand)};
         upload_texels(object, map, std::span(&band, 1));
     }
-    object.has_slabs = features.slabs && !object.source;
-    object.has_pyramid = features.pyramid && !object.has_slabs;
-    load_bounds(object, map);
 }
 
-void GpuScene::load_bounds(Object& object, const HeightView& map) {
+void GpuScene::load_bounds(Object& object, const HeightView& map, const Object* before, const WorkPart& part) {
     const bool wanted = object.has_pyramid || object.has_slabs;
-    if (wanted) object.pyramid = std::make_unique<HeightPyramid>(map, object.wrap);
+    object.slabs_left_out = object.has_slabs ? slab_levels_left_out(map.width, map.height) : 0;
+    if (wanted)
+        object.pyramid = before && before->pyramid ? before->pyramid
+                                                   : std::make_shared<HeightPyramid>(map, object.wrap, part.within(0, 0.3));
+    if (before && object.has_slabs == before->has_slabs && object.has_pyramid == before->has_pyramid) {
+        object.pyramid_image = before->pyramid_image;
+        object.slab_image = before->slab_image;
+        return;
+    }
     // One node stands in where no method asks: descriptors need an image.
     const HeightPyramid one({1, 1, map.texels}, object.wrap);
     const auto make_image = [&](bool asked_for, int first_level, VkFormat format) {
         const HeightPyramid& of = asked_for ? *object.pyramid : one;
-        vulkan::Image image(context_, of.width(first_level), of.height(first_level), format, kTexture,
-                            of.levels() - first_level + 1);
+        auto image = std::make_shared<vulkan::Image>(context_, of.width(first_level), of.height(first_level), format, kTexture,
+                                                     of.levels() - first_level + 1);
         commands_.run([&](VkCommandBuffer cmd) {
-            image.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+            image->transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         });
         return image;
     };
-    object.slabs_left_out = object.has_slabs ? slab_levels_left_out(map.width, map.height) : 0;
     object.pyramid_image = make_image(object.has_pyramid, 1, VK_FORMAT_R16G16_UNORM);
     object.slab_image = make_image(object.has_slabs, 1 + object.slabs_left_out, VK_FORMAT_R16G16B16A16_SINT);
     if (!wanted) return;
     const HeightPyramid& pyramid = *object.pyramid;
-    for (int level = 1; level <= pyramid.levels(); ++level)
+    const WorkPart upload = part.within(0.3, 1);
+    double begin = 0;  // of the level; the finest of n is as much work as three quarters of them all
+    for (int level = 1; level <= pyramid.levels(); ++level) {
+        const double share = 0.75 * (1 - begin);
         for (int y = 0; y < pyramid.height(level); y += kBand / 4) {
+            upload.at(begin + share * y / pyramid.height(level));
             const int end = std::min(pyramid.height(level), y + kBand / 4);
             upload_bounds(object, map, {{level, 0, y, pyramid.width(level), end}});
         }
+        begin += share;
+    }
 }
 
 void GpuScene::load_opacity(const SceneObject& description, Object& object, bool wanted) {
     // A white texel stands in where there is no map: descriptors need an image.
     OpacityMap opacity;
     if (wanted && !description.opacity_map.empty()) opacity = load_opacity_map(description.opacity_map);
-    object.opacity = vulkan::Image(context_, opacity.width, opacity.height, VK_FORMAT_R8_UNORM, kTexture);
+    object.opacity = std::make_shared<vulkan::Image>(context_, opacity.width, opacity.height, VK_FORMAT_R8_UNORM, kTexture);
     object.opacity_sampler = vulkan::make_sampler(context_, object.wrap == Wrap::clamp, true);
     const vulkan::Buffer staging(context_, opacity.texels.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                                  vulkan::Access::host);
     std::memcpy(staging.mapped(), opacity.texels.data(), opacity.texels.size());
     const VkBufferImageCopy copy = image_copy({0, 0, opacity.width, opacity.height}, 0);
     commands_.run([&](VkCommandBuffer cmd) {
-        object.opacity.transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-        vkCmdCopyBufferToImage(cmd, staging.get(), object.opacity.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+        object.opacity->transition(cmd, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        vkCmdCopyBufferToImage(cmd, staging.get(), object.opacity->get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
                                &copy);
-        object.opacity.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+        object.opacity->transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                   VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
 }
@@ -98,11 +147,11 @@ void GpuScene::load_opacity(const SceneObject& description, Object& object, bool
 void GpuScene::upload_bounds(Object& object, const HeightView& map, const std::vector<HeightPyramid::Nodes>& changed) {
     const HeightPyramid& pyramid = *object.pyramid;
     if (object.has_slabs) {
-        upload_nodes<PackedSlab>(object.slab_image, 1 + object.slabs_left_out, changed, [&](int level, int x, int y) {
+        upload_nodes<PackedSlab>(*object.slab_image, 1 + object.slabs_left_out, changed, [&](int level, int x, int y) {
             return height_slab(map, pyramid, level, x, y);
         });
     } else {
-        upload_nodes<HeightPyramid::Node>(object.pyramid_image, 1, changed, [&](int level, int x, int y) {
+        upload_nodes<HeightPyramid::Node>(*object.pyramid_image, 1, changed, [&](int level, int x, int y) {
             return pyramid.overlapping(level, x, y);
         });
     }
@@ -150,10 +199,10 @@ void GpuScene::upload_texels(Object& object, const HeightView& map, std::span<co
         pack_rows(to, map.texels, map.width, regions[i]);
     }
     commands_.run([&](VkCommandBuffer cmd) {
-        object.map.transition(cmd, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-        vkCmdCopyBufferToImage(cmd, staging_.get(), object.map.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+        object.map->transition(cmd, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+        vkCmdCopyBufferToImage(cmd, staging_.get(), object.map->get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                static_cast<std::uint32_t>(copies.size()), copies.data());
-        object.map.transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        object.map->transition(cmd, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     });
 }
 

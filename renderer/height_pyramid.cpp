@@ -21,13 +21,21 @@ void include(HeightPyramid::Node& node, const HeightPyramid::Node& other) {
 
 }  // namespace
 
-HeightPyramid::HeightPyramid(const HeightView& map, Wrap wrap) : wrap_(wrap) {
+HeightPyramid::HeightPyramid(const HeightView& map, Wrap wrap, const WorkPart& part) : wrap_(wrap) {
     for (int level = 1; level <= gpu::kPyramidLevels; ++level) {
         const int w = std::max(1, map.width >> level), h = std::max(1, map.height >> level);
         plain_.push_back({w, h, std::vector<Node>(static_cast<std::size_t>(w) * static_cast<std::size_t>(h))});
         if (w == 1 && h == 1) break;
     }
-    update(map, {0, 0, map.width, map.height});
+    double begin = 0;  // of the level; the finest of n is as much work as three quarters of them all
+    for (int level = 1; level <= levels(); ++level) {
+        const double share = 0.75 * (1 - begin);
+        for (int y = 0; y < height(level); ++y) {
+            part.at(begin + share * y / height(level));
+            for (int x = 0; x < width(level); ++x) plain(level, x, y) = reduce(map, level, x, y);
+        }
+        begin += share;
+    }
 }
 
 HeightPyramid::Node& HeightPyramid::plain(int level, int x, int y) {
@@ -103,7 +111,7 @@ std::vector<HeightPyramid::Nodes> HeightPyramid::update(const HeightView& map, c
             for (const Span& columns : split(across, w))
                 for (int y = rows.first; y < rows.last; ++y)
                     for (int x = columns.first; x < columns.last; ++x)
-                        plain(level, x, y) = level == 1 ? reduce_texels(map, x, y) : reduce_nodes(level, x, y);
+                        plain(level, x, y) = reduce(map, level, x, y);
         // Node i of the overlapping level also holds node i + 1. Within the last node's remainder, clip first.
         const Span over_x{std::min(across.first, w - 1) - 1, across.last}, over_y{std::min(up.first, h - 1) - 1, up.last};
         for (const Span& rows : split(over_y, h))

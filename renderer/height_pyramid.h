@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/beside.h"
 #include "renderer/renderer.h"
 #include "shaders/shared.h"
 
@@ -23,7 +24,7 @@ class HeightPyramid {
         int level, x0, y0, x1, y1;
     };
 
-    HeightPyramid(const HeightView& map, Wrap wrap);
+    HeightPyramid(const HeightView& map, Wrap wrap, const WorkPart& part = {});
 
     int levels() const { return static_cast<int>(plain_.size()); }  // at most gpu::kPyramidLevels
     int width(int level) const { return plain_[index(level)].width; }
@@ -48,6 +49,9 @@ class HeightPyramid {
     };
     static std::size_t index(int level) { return static_cast<std::size_t>(level - 1); }
     Node& plain(int level, int x, int y);
+    Node reduce(const HeightView& map, int level, int x, int y) const {
+        return level == 1 ? reduce_texels(map, x, y) : reduce_nodes(level, x, y);
+    }
     Node reduce_texels(const HeightView& map, int x, int y) const;
     Node reduce_nodes(int level, int x, int y) const;
     std::vector<Span> split(Span span, int size) const;

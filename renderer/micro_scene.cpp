@@ -21,8 +21,7 @@ Box box_around(const glm::uvec3& corners, std::span<const gpu::MicroVertex> vert
 
 }  // namespace
 
-MicroScene::MicroScene(const vulkan::Context& context, std::span<const Object> objects,
-                       std::span<const gpu::Primitive> primitives, double density, TracePath path) {
+MicroScene::MicroScene(std::span<const Object> objects, double density) {
     std::uint64_t most = 0;
     for (const Object& object : objects) {
         meshes_.emplace_back(*object.mesh, object.texel_at, density);
@@ -33,6 +32,12 @@ MicroScene::MicroScene(const vulkan::Context& context, std::span<const Object> o
                                     " micro-triangles, at most " + std::to_string(kMostMicroTriangles) +
                                     " are made: a smaller density than " + std::to_string(density) +
                                     " makes fewer");
+}
+
+void MicroScene::build(const vulkan::Context& context, std::span<const Object> objects,
+                       std::span<const gpu::Primitive> primitives, TracePath path) {
+    std::uint64_t most = 0;
+    for (const MicroMesh& mesh : meshes_) most += mesh.triangles();
     std::vector<MicroTriangle> triangles;
     triangles.reserve(most);
     for (std::uint32_t i = 0; i < primitives.size(); ++i) {

@@ -20,10 +20,12 @@ class MicroScene {
         MicroMesh::DisplacementAt displacement;
     };
 
-    // `primitives` as on the device. Throws std::invalid_argument, before anything is built, where there
-    // would be more than kMostMicroTriangles.
-    MicroScene(const vulkan::Context& context, std::span<const Object> objects,
-               std::span<const gpu::Primitive> primitives, double density, TracePath path);
+    // How the objects' meshes are divided. Throws std::invalid_argument where there would be more than
+    // kMostMicroTriangles.
+    MicroScene(std::span<const Object> objects, double density);
+    // Of the same objects, once; `primitives` as on the device.
+    void build(const vulkan::Context& context, std::span<const Object> objects,
+               std::span<const gpu::Primitive> primitives, TracePath path);
 
     // What the tree is made of: of our own boxes, to be taken once, box i that of micro-triangle i; else triangles.
     std::vector<Box> take_boxes() { return std::move(boxes_); }

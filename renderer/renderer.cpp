@@ -25,6 +25,17 @@ void check_size(const vulkan::Context& context, int width, int height, const cha
                                     " a side");
 }
 
+// Some drivers compile at a program's first dispatch only.
+void dispatch_first(Renderer& renderer, const PassList& compiled) {
+    for (const vulkan::Pass pass : compiled) {
+        const Ray ray = renderer.camera_ray(0.5, 0.5);
+        if (pass == vulkan::Pass::beauty) renderer.render({0, 0, 1, 1}, Quality::preview);
+        if (pass == vulkan::Pass::aov) renderer.trace_layers({0, 0, 1, 1});
+        if (pass == vulkan::Pass::pick) renderer.pick(std::span(&ray, 1));
+    }
+    renderer.restart();
+}
+
 // The values that what is built depends on.
 std::vector<double> built_by(const Method& method, const std::map<std::string, double>& parameters) {
     std::vector<double> values;
@@ -36,7 +47,7 @@ std::vector<double> built_by(const Method& method, const std::map<std::string, d
 }  // namespace
 
 Renderer::Renderer(vulkan::Context& context, const Scene& scene, std::span<const HeightView> maps,
-                   const RenderSettings& settings, std::span<const ColourView> colours)
+                   const RenderSettings& settings, std::span<const ColourView> colours, const WorkProgress& progress)
     : state_(std::make_unique<State>(context, scene, settings)) {
     if (maps.size() != scene.objects.size()) throw std::logic_error("one map per object");
     if (!colours.empty() && colours.size() != maps.size()) throw std::logic_error("one albedo map per object, or none");
@@ -49,10 +60,11 @@ Renderer::Renderer(vulkan::Context& context, const Scene& scene, std::span<const
     for (const ColourView& c : state_->colours)
         if (!c.empty()) check_size(context, c.width, c.height, "an albedo map");
     state_->maps.assign(maps.begin(), maps.end());
-    state_->build();
+    state_->build(progress);
+    if (settings.light_ready || settings.picks_ready) dispatch_first(*this, state_->programs_in_use());
 }
 
-Renderer::~Renderer() { vkDeviceWaitIdle(state_->context.device()); }
+Renderer::~Renderer() { state_->context.wait_idle(); }
 
 UploadStats Renderer::upload(std::size_t object, const HeightView& map, std::span<const TexelRegion> regions) {
     state_->aov_is_fresh = state_->counts_are_fresh = false;
@@ -67,19 +79,31 @@ void Renderer::upload_colours(std::size_t object, const ColourView& colours, std
     state_->gpu_scene->upload_colours(object, colours, regions);
 }
 
-void Renderer::set_colours(std::size_t object, const ColourView& colours) {
+void Renderer::set_colours(std::size_t object, const ColourView& colours, const WorkProgress& progress) {
     State& s = *state_;
-    check_size(s.context, colours.width, colours.height, "an albedo map");
-    s.colours.at(object) = colours;
-    s.gpu_scene->set_colours(object, colours);
+    if (!colours.empty()) check_size(s.context, colours.width, colours.height, "an albedo map");
+    std::vector<ColourView> all = s.colours;
+    all.at(object) = colours;
+    FeatureRequest request = s.request;
+    request.has_colours = any_colours(all);
+    const Features fresh = derive_features(s.scene, request);
+    struct Made {
+        std::shared_ptr<AlbedoImage> image;
+        std::optional<vulkan::Passes> passes;
+    };
+    Made made = run_beside(progress, [&](const WorkPart& part) {
+        Made m{s.gpu_scene->colour_image(object, colours, part.within(0, 0.7)), {}};
+        if (fresh != s.features) m.passes = s.make_passes(*s.method, fresh, s.programs_in_use(), part.within(0.7, 1));
+        return m;
+    });
+    s.colours = std::move(all);
+    s.request = request;
+    s.features = fresh;
+    s.gpu_scene->set_colours(object, std::move(made.image));
     s.gpu_scene->write_bindings(s.set);
-    s.request.has_colours = true;
-    const Features fresh = derive_features(s.scene, s.request);
-    if (fresh != s.features) {
-        s.features = fresh;
-        s.make_passes();
-    }
+    if (made.passes) s.passes = std::move(*made.passes);
     s.restart();
+    if (progress) dispatch_first(*this, s.programs_in_use());
 }
 
 void Renderer::set_camera(const Camera& camera) {
@@ -93,8 +117,7 @@ void Renderer::set_lights(const std::vector<Light>& lights, const Environment& e
     s.scene.lights = lights;
     s.scene.environment = environment;
     fill_lights(s.frame_data(), lights, environment, s.scene.origin);
-    s.features = derive_features(s.scene, s.request);
-    s.make_passes();
+    s.follow_features(derive_features(s.scene, s.request));
     s.restart();
 }
 
@@ -103,10 +126,7 @@ void Renderer::set_material(std::size_t object, const Material& material) {
     s.scene.objects[object].material = material;
     s.gpu_scene->set_material(object, material);
     const Features fresh = derive_features(s.scene, s.request);
-    if (fresh.gloss != s.features.gloss) {
-        s.features = fresh;
-        s.make_passes();
-    }
+    if (fresh.gloss != s.features.gloss) s.follow_features(fresh);
     s.restart();
 }
 
@@ -119,45 +139,30 @@ void Renderer::set_displacement(std::size_t object, double amplitude, double mid
     s.restart();
 }
 
-void Renderer::set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights) {
+void Renderer::set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights,
+                           const WorkProgress& progress) {
     State& s = *state_;
     const Displacement displacement_before = std::exchange(s.scene.objects.at(object).displacement, displacement);
     const HeightView heights_before = std::exchange(s.maps[object], heights);
-    const Features before = s.features;
-    const FeatureRequest request_before = s.request;
     try {
-        s.build_scene();
-    } catch (const std::invalid_argument&) {  // refused
+        s.make_anew(*s.method, s.parameters, {&*s.gpu_scene, object}, progress);
+    } catch (...) {
         s.scene.objects[object].displacement = displacement_before;
         s.maps[object] = heights_before;
-        s.request = request_before;
-        s.features = before;
         throw;
     }
-    s.write_addresses();
-    s.gpu_scene->write_bindings(s.set);
-    if (s.features != before) s.make_passes();
-    s.apply_parameters();
-    s.restart();
 }
 
-void Renderer::set_method(const std::string& name, const std::map<std::string, double>& parameters) {
+void Renderer::set_method(const std::string& name, const std::map<std::string, double>& parameters, const WorkProgress& progress) {
     State& s = *state_;
     const Method& method = find_method(name);
-    const auto before = std::exchange(s.parameters, resolve_parameters(method, parameters));
-    if (&method != s.method || built_by(method, before) != built_by(method, s.parameters)) {
-        const FeatureRequest request_before = s.request;
-        const Features features_before = s.features;
-        try {
-            s.rebuild_for(method);
-        } catch (const std::invalid_argument&) {  // refused
-            s.parameters = before;
-            s.request = request_before;
-            s.method = request_before.method;
-            s.features = features_before;
-            throw;
-        }
+    const auto values = resolve_parameters(method, parameters);
+    if (&method != s.method || built_by(method, values) != built_by(method, s.parameters)) {
+        s.make_anew(method, values, {&*s.gpu_scene, {}}, progress);
+        if (progress) dispatch_first(*this, s.programs_in_use());
+        return;
     }
+    s.parameters = values;
     s.apply_parameters();
     s.restart();
 }

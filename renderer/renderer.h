@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/beside.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace_path.h"
 
@@ -49,6 +50,7 @@ struct RenderSettings {
     std::string method;                      // empty: the registry's default
     std::map<std::string, double> parameters;  // of the method; std::invalid_argument on a wrong name or range
     TracePath path = TracePath::automatic;
+    bool light_ready = false, picks_ready = false;  // their programs are compiled with the rest, else at first use
     bool everything = false;  // build all features whether the scene needs them or not (tests compare the images)
 };
 
@@ -113,7 +115,7 @@ class Renderer {
     // `colours`: none, or one an object; where it is empty, the file that the material names is read, if it names one
     // (std::invalid_argument as load_albedo_file).
     Renderer(vulkan::Context& context, const Scene& scene, std::span<const HeightView> maps,
-             const RenderSettings& settings, std::span<const ColourView> colours = {});
+             const RenderSettings& settings, std::span<const ColourView> colours = {}, const WorkProgress& progress = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -130,13 +132,15 @@ class Renderer {
     void set_lights(const std::vector<Light>& lights, const Environment& environment);
     void set_material(std::size_t object, const Material& material);
     void set_displacement(std::size_t object, double amplitude, double midlevel);  // new bounds for all triangles
-    // An albedo map for an object, in the place of its albedo or of another map.
-    void set_colours(std::size_t object, const ColourView& colours);
+    // An albedo map for an object, in the place of its albedo or of another map; empty: its albedo again.
+    void set_colours(std::size_t object, const ColourView& colours, const WorkProgress& progress = {});
     // Other heights for an object: another map, an exemplar, or the same one otherwise read. Makes the device's scene anew.
-    void set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights);
-    // std::invalid_argument where the method refuses what it would have to build (too many micro-triangles); then all
-    // stays as it was. The same holds for set_heights.
-    void set_method(const std::string& name, const std::map<std::string, double>& parameters);
+    void set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights,
+                     const WorkProgress& progress = {});
+    // std::invalid_argument where the method refuses what it would have to build (too many micro-triangles). Programs
+    // that the method before it had are compiled for it, too. Whatever is thrown by one of these three, by `progress` too:
+    // all stays as it was.
+    void set_method(const std::string& name, const std::map<std::string, double>& parameters, const WorkProgress& progress = {});
     void resize(int width, int height);
     void restart();                        // forget all samples
     void restart(const PixelRect& window);  // forget the samples of a window only

@@ -33,38 +33,60 @@ void Renderer::State::load_albedo_files() {
     }
 }
 
-void Renderer::State::build_scene() {
-    request.has_searched = request.has_slants = false;
-    const auto density = parameters.find("density");
-    request.density = density == parameters.end() ? 0 : density->second;
-    features = derive_features(scene, request);
-    const std::vector<Mesh> meshes = mended.traced(features.mended_creases);
-    if (features.micro_triangles) {  // may be refused: then what was there must not be gone
-        GpuScene fresh(context, commands, scene, maps, colours, features, meshes);
-        gpu_scene.emplace(std::move(fresh));
-    } else {
-        gpu_scene.emplace(context, commands, scene, maps, colours, features, meshes);
-    }
-    request.has_searched = gpu_scene->any_searched();
-    request.has_slants = gpu_scene->any_slanted();
-    features = derive_features(scene, request);
+Renderer::State::Made Renderer::State::make(const Method& of, const std::map<std::string, double>& values,
+                                            const SceneBefore& before, const PassList& compiled, const WorkPart& part) {
+    const double scene_made = compiled.empty() ? 1 : 0.6;  // part of the time, about
+    FeatureRequest wanted = request;
+    wanted.method = &of;
+    wanted.has_searched = wanted.has_slants = false;
+    const auto density = values.find("density");
+    wanted.density = density == values.end() ? 0 : density->second;
+    const Features first = derive_features(scene, wanted);
+    GpuScene fresh(context, commands, scene, maps, colours, first, mended.traced(first.mended_creases), before,
+                   part.within(0, scene_made));
+    wanted.has_searched = fresh.any_searched();
+    wanted.has_slants = fresh.any_slanted();
+    const Features all = derive_features(scene, wanted);
+    vulkan::Passes fresh_passes = make_passes(of, all, compiled, part.within(scene_made, 1));
+    return {&of, values, wanted, all, std::move(fresh), std::move(fresh_passes)};
 }
 
-void Renderer::State::rebuild_for(const Method& m) {
-    method = request.method = &m;
-    build_scene();
+void Renderer::State::take(Made made) {
+    method = made.method;
+    parameters = std::move(made.parameters);
+    request = made.request;
+    features = made.features;
+    gpu_scene.emplace(std::move(made.scene));
+    passes = std::move(made.passes);
+}
+
+void Renderer::State::make_anew(const Method& of, const std::map<std::string, double>& values, const SceneBefore& before,
+                                const WorkProgress& progress) {
+    take(run_beside(progress, [&](const WorkPart& part) { return make(of, values, before, programs_in_use(), part); }));
     write_addresses();
     gpu_scene->write_bindings(set);
-    make_passes();
+    apply_parameters();
+    restart();
 }
 
-void Renderer::State::build() {
+PassList Renderer::State::programs_in_use() const {
+    PassList used;
+    for (std::size_t i = 0; i < vulkan::kPassCount; ++i)
+        if (const auto pass = static_cast<vulkan::Pass>(i); passes.is_made(pass)) used.push_back(pass);
+    return used;
+}
+
+void Renderer::State::build(const WorkProgress& progress) {
     request = {method, settings.everything, mended.any(),
                resolve_trace_path(settings.path, context.info()), settings.path != TracePath::automatic};
     request.can_bundle = context.info().bundles;
     request.dense_sheet = is_dense_sheet(scene, settings.width, settings.height);
-    request.has_colours = std::any_of(colours.begin(), colours.end(), [](const ColourView& c) { return !c.empty(); });
-    build_scene();
+    request.has_colours = any_colours(colours);
+    set_layout = make_set_layout(context, scene.objects.size(), request.path);
+    PassList compiled;
+    if (settings.light_ready) compiled.push_back(vulkan::Pass::beauty);
+    if (settings.picks_ready) compiled.push_back(vulkan::Pass::pick);
+    take(run_beside(progress, [&](const WorkPart& part) { return make(*method, parameters, {}, compiled, part); }));
     film = Film(context, commands, settings.width, settings.height);
     frame = vulkan::Buffer(context, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Access::host);
     single_rays = SingleRays(context);
@@ -74,7 +96,6 @@ void Renderer::State::build() {
     fill_lights(frame_data(), scene.lights, scene.environment, scene.origin);
     write_addresses();
     make_set();
-    make_passes();
     apply_parameters();
 }
 
@@ -88,7 +109,6 @@ void Renderer::State::write_addresses() {
 
 void Renderer::State::make_set() {
     const std::size_t objects = scene.objects.size();
-    set_layout = make_set_layout(context, objects, features.path);
     pool = make_pool(context, objects, features.path);
     const VkDescriptorSetLayout layout = set_layout.get();
     VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, nullptr, pool.get(), 1, &layout};
@@ -111,27 +131,37 @@ void Renderer::State::write_own_bindings() const {
     single_rays.write_bindings(context.device(), set);
 }
 
-void Renderer::State::make_passes() {
+vulkan::Passes Renderer::State::make_passes(const Method& of, const Features& by, const PassList& compiled,
+                                            const WorkPart& part) const {
     vulkan::SpecConstants constants{};
     constants[gpu::kSpecObjects] = static_cast<std::uint32_t>(scene.objects.size());
-    constants[gpu::kSpecShadows] = features.shadows ? 1 : 0;
-    constants[gpu::kSpecOpacity] = features.opacity ? 1 : 0;
-    constants[gpu::kSpecGloss] = features.gloss ? 1 : 0;
-    constants[gpu::kSpecSky] = features.sky ? 1 : 0;
-    constants[gpu::kSpecSearch] = features.searched ? 1 : 0;
-    constants[gpu::kSpecSlants] = features.slants ? 1 : 0;
-    constants[gpu::kSpecProcedural] = features.procedural ? 1 : 0;
-    constants[gpu::kSpecAlbedo] = features.albedo_maps ? 1 : 0;
-    passes = vulkan::Passes(context, set_layout.get(), method->name, features.path, features.driver_triangles, features.bundles,
-                              constants);
+    constants[gpu::kSpecShadows] = by.shadows ? 1 : 0;
+    constants[gpu::kSpecOpacity] = by.opacity ? 1 : 0;
+    constants[gpu::kSpecGloss] = by.gloss ? 1 : 0;
+    constants[gpu::kSpecSky] = by.sky ? 1 : 0;
+    constants[gpu::kSpecSearch] = by.searched ? 1 : 0;
+    constants[gpu::kSpecSlants] = by.slants ? 1 : 0;
+    constants[gpu::kSpecProcedural] = by.procedural ? 1 : 0;
+    constants[gpu::kSpecAlbedo] = by.albedo_maps ? 1 : 0;
+    vulkan::Passes made(context, set_layout.get(), of.name, by.path, by.driver_triangles, by.bundles, constants);
+    const auto count = static_cast<double>(compiled.size());
+    for (std::size_t i = 0; i < compiled.size(); ++i) {
+        part.at(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        made.make(compiled[i]);
+    }
+    return made;
+}
+
+void Renderer::State::follow_features(const Features& fresh) {
+    features = fresh;
+    passes = make_passes(*method, features, {}, {});
 }
 
 // An edit may fold a shell for the first time.
 void Renderer::State::follow_search() {
     if (gpu_scene->any_searched() == request.has_searched) return;
     request.has_searched = gpu_scene->any_searched();
-    features = derive_features(scene, request);
-    make_passes();
+    follow_features(derive_features(scene, request));
 }
 
 void Renderer::State::apply_parameters() {

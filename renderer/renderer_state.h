@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/albedo_file.h"
+#include "renderer/beside.h"
 #include "renderer/features.h"
 #include "renderer/film.h"
 #include "renderer/gpu_scene.h"
@@ -19,6 +20,13 @@
 #include "renderer/vulkan/passes.h"
 
 namespace relievo {
+
+// Those whose programs are compiled.
+using PassList = std::vector<vulkan::Pass>;
+
+inline bool any_colours(std::span<const ColourView> colours) {
+    return !std::ranges::all_of(colours, &ColourView::empty);
+}
 
 struct Renderer::State {
     vulkan::Context& context;
@@ -56,13 +64,29 @@ struct Renderer::State {
         return {std::max(0, window.x0), std::max(0, window.y0), std::min(film.width(), window.x1),
                 std::min(film.height(), window.y1)};
     }
-    void build();
-    void build_scene();
+    // What another method or other heights make anew. It is made beside what is in use, which stays until all is there.
+    struct Made {
+        const Method* method;
+        std::map<std::string, double> parameters;
+        FeatureRequest request;
+        Features features;
+        GpuScene scene;
+        vulkan::Passes passes;
+    };
+    Made make(const Method& of, const std::map<std::string, double>& values, const SceneBefore& before,
+              const PassList& compiled, const WorkPart& part);
+    void take(Made made);
+    // All of it, in the place of what is there. What it throws leaves all as it was.
+    void make_anew(const Method& of, const std::map<std::string, double>& values, const SceneBefore& before,
+                   const WorkProgress& progress);
+    PassList programs_in_use() const;
+    vulkan::Passes make_passes(const Method& of, const Features& by, const PassList& compiled, const WorkPart& part) const;
+
+    void build(const WorkProgress& progress);
     void load_albedo_files();
-    void rebuild_for(const Method& method);
     void write_addresses();
     void make_set();
-    void make_passes();
+    void follow_features(const Features& fresh);  // compiles at first use
     void follow_search();
     void apply_parameters();
     void write_own_bindings() const;

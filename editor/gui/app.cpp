@@ -214,7 +214,7 @@ void App::handle_input() {
             handle_key(event);
             // The dialog that Esc closes is there until the next frame; what follows is meant for what lies behind it.
             if (event.code == GLFW_KEY_ESCAPE && !picture_free()) break;
-            if (desk_.work) break;  // what follows is not in it
+            if (desk_.work) break;  // what follows waits for it
             continue;
         }
         const std::uint64_t dabs = pointer_.dabs();
@@ -223,6 +223,7 @@ void App::handle_input() {
         x_ = event.x;
         y_ = event.y;
         pointer_stale_ = true;
+        if (desk_.work) break;
     }
     if (events.empty() && pointer_.in_stroke() && !pointer_.busy())
         pointer_.rest(static_cast<std::uint64_t>(window_->now_us()));
@@ -318,9 +319,13 @@ void App::do_work() {
     try {
         work->run([&](double part) {
             if (ms_since(start) < kUnseenWorkMs || ms_since(last_drawn_) < kWorkFrameMs) return true;
-            if (!desk_.view.work) desk_.view.work = WorkShown{work->title};
+            if (desk_.view.work) {
+                poll_behind_work();
+            } else {
+                window_->poll();  // what was done before the work could be seen is still to come
+                desk_.view.work = WorkShown{work->title};
+            }
             desk_.view.work->part = part;
-            poll_behind_work();
             draw();
             return !desk_.view.work->stopped;
         });
@@ -339,14 +344,17 @@ void App::do_work() {
     }
 }
 
-// What was done before the work could be seen is still to come; of what comes while it covers the rest, only that
-// something was let go.
+// Of what comes while the work covers the rest: that something was let go, and keys, which are for what comes.
 void App::poll_behind_work() {
     auto& events = window_->events();
     const auto before = static_cast<std::ptrdiff_t>(events.size());
     window_->poll();
     events.erase(std::remove_if(events.begin() + before, events.end(),
-                                [](const InputEvent& event) { return event.kind != InputEvent::Kind::release; }),
+                                [](const InputEvent& event) {
+                                    const bool key = event.kind == InputEvent::Kind::key;
+                                    const bool meant = key && event.code != GLFW_KEY_ESCAPE && !event.repeated;
+                                    return !meant && event.kind != InputEvent::Kind::release;
+                                }),
                  events.end());
 }
 

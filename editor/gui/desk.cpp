@@ -21,6 +21,9 @@ namespace {
 constexpr double kFlatFovDeg = 2;
 constexpr float kLeastRadius = 0.002f, kMostRadius = 2.0f;  // of the mesh's
 
+// What is built for a method, and its programs, which the driver compiles.
+std::string preparing(const std::string& method) { return "Preparing the method " + std::string(find_method(method).name); }
+
 glm::dmat3 turn_about(const glm::dvec3& axis, double degrees) {
     return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::normalize(axis)));
 }
@@ -42,7 +45,18 @@ bool Desk::attempt(const std::function<void()>& command) {
 }
 
 void Desk::set(const std::string& key, const SetValue& value) {
-    if (attempt([&] { session.set(key, value); })) live.in_motion();
+    const bool of_method = key == "method" || key.starts_with("method."), of_heights = key.starts_with("procedural.");
+    if (!of_method && !of_heights) {
+        if (attempt([&] { session.set(key, value); })) live.in_motion();
+        return;
+    }
+    const auto* name = std::get_if<std::string>(&value);
+    const std::string method = of_method && name ? *name : session.scene().method.name;
+    attempt([&] {
+        work = LongWork{of_method ? preparing(method) : "Changing the heights",
+                        [this, key, value](const Advance& advance) { session.set(key, value, advance); },
+                        [this] { live.in_motion(); }};
+    });
 }
 
 // Named from the scene's folder, so that the journal can move with the scene.
@@ -203,12 +217,18 @@ void Desk::pick_colour() {
     set_colour(session.brush(), session.colour_at(*hit));
 }
 
-void Desk::prepare_to_paint(const Brush& brush) {
+void Desk::prepare_to_paint(const Brush& brush, const std::function<void()>& then) {
+    if (!paints(brush) || session.colours()) return then();
+    work = LongWork{"Making a colour map",
+                    [this](const Advance& advance) { session.make_colours(view.colour_bits, advance); },
+                    [this, then] {
+                        live.restart();
+                        attempt(then);
+                    }};
+}
+
+void Desk::keep_colour(const Brush& brush) {
     if (!paints(brush)) return;
-    if (!session.colours()) {
-        session.make_colours(view.colour_bits);
-        live.restart();
-    }
     if (!holds(kColouringTools, brush.tool)) return;
     constexpr std::size_t kMostRecent = 8;
     auto& recent = view.recent_colours;
@@ -247,7 +267,11 @@ void Desk::split(bool wanted) {
 }
 
 void Desk::set_second(const MethodChoice& method) {
-    if (attempt([&] { live.compare_with(method); })) view.second = method;
+    attempt([&] {
+        work = LongWork{preparing(method.name),
+                        [this, method](const Advance& advance) { live.compare_with(method, advance); },
+                        [this, method] { view.second = method; }};
+    });
 }
 
 }  // namespace relievo::gui

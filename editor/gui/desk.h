@@ -95,7 +95,7 @@ class Desk {
     std::optional<Departure> departure;       // decided
     std::optional<LongWork> work;             // between two frames
 
-    void set(const std::string& key, const SetValue& value);  // settings.h
+    void set(const std::string& key, const SetValue& value);  // settings.h; what may take long between two frames
     void set_exemplar(const std::filesystem::path& path);     // of procedural heights
     void set_camera(const Camera& camera);
     void undo() { take_step(false); }  // between two frames
@@ -132,9 +132,10 @@ class Desk {
     void choose_tool(std::size_t index);     // into tools(); beyond them, nothing happens
     void next_paint();                       // height, colour, both
     void pick_colour();                      // from the surface under the pointer, for the brush
-    // Before a stroke by that brush: where it paints and there is no colour map yet, one is made. Throws as
-    // Session::make_colours.
-    void prepare_to_paint(const Brush& brush);
+    // Before a stroke by that brush: where it paints and there is no colour map yet, one is made between two frames. `then`:
+    // what waits for it; else it comes at once.
+    void prepare_to_paint(const Brush& brush, const std::function<void()>& then);
+    void keep_colour(const Brush& brush);  // among the recent ones, where it paints with one
     void export_colours(const std::filesystem::path& path);
     void set_view(View view);
     void show_mask(bool wanted);

@@ -75,7 +75,7 @@ void LivePicture::set_count(RayCount count) {
     for (auto& pane : panes_) pane->choose_view();
 }
 
-void LivePicture::compare_with(const std::optional<MethodChoice>& method) {
+void LivePicture::compare_with(const std::optional<MethodChoice>& method, const Advance& advance) {
     if (!method) {
         if (!is_split()) return;
         panes_.pop_back();
@@ -83,7 +83,7 @@ void LivePicture::compare_with(const std::optional<MethodChoice>& method) {
         show_strips();
         return;
     }
-    Renderer& renderer = session_->compare_with(*method);
+    Renderer& renderer = session_->compare_with(*method, advance);
     if (!is_split()) {
         panes_.push_back(std::make_unique<LivePane>(*session_, renderer, format_, choice_));
         panes_.back()->resize(size());

@@ -39,7 +39,7 @@ class LivePicture {
     bool view_shows_mask() const { return !shows_layers(view()); }
 
     // The right part of the picture is traced by `method`; std::nullopt: one pane. Throws as Renderer does.
-    void compare_with(const std::optional<MethodChoice>& method);
+    void compare_with(const std::optional<MethodChoice>& method, const Advance& advance = {});
     bool is_split() const { return panes_.size() > 1; }
     double divider() const { return divider_; }  // share of the width that the left pane has
     void set_divider(double share);

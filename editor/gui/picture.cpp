@@ -42,7 +42,7 @@ Picture::Picture(vulkan::Context& context, VkFormat format)
 }
 
 Picture::~Picture() {
-    vkDeviceWaitIdle(context_->device());
+    context_->wait_idle();
 }
 
 void Picture::resize(PixelSize size) {

@@ -79,8 +79,10 @@ void PointerControl::on_press(const InputEvent& local) {
             return desk_->toasts.info("Nothing is masked yet: there is no border to blur");
         if (brush.tool == Tool::mask) tell_if_mask_is_unseen();
         desk_->attempt([&] {
-            desk_->prepare_to_paint(brush);
-            stroke_.begin(local);
+            desk_->prepare_to_paint(brush, [this, brush, local] {
+                desk_->keep_colour(brush);
+                stroke_.begin(local);
+            });
         });
     }
 }

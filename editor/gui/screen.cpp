@@ -103,7 +103,7 @@ void Screen::start_ui(Window& window) {
 }
 
 Screen::~Screen() {
-    vkDeviceWaitIdle(context_->device());
+    context_->wait_idle();
     ImGui_ImplVulkan_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
@@ -170,7 +170,10 @@ void Screen::show() {
     }
     const VkFence done = done_.get();
     vulkan::check(vkResetFences(context_->device(), 1, &done), "resetting a fence");
-    vulkan::check(vkQueueSubmit(context_->queue(), 1, &submit, done), "submitting a frame");
+    {
+        const auto held = context_->hold_queue();
+        vulkan::check(vkQueueSubmit(context_->queue(), 1, &submit, done), "submitting a frame");
+    }
     if (index) swapchain_.present(*index);
 }
 

@@ -42,7 +42,7 @@ Swapchain::Swapchain(vulkan::Context& context, const Window& window)
 }
 
 Swapchain::~Swapchain() {
-    vkDeviceWaitIdle(context_->device());
+    context_->wait_idle();
     chain_ = {};
     vkDestroySurfaceKHR(context_->instance(), surface_, nullptr);
 }
@@ -103,7 +103,7 @@ bool Swapchain::fit() {
     if (extent.width == 0 || extent.height == 0) return false;
     if (!(can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT))
         throw std::runtime_error("pictures cannot be copied to this window");
-    vulkan::check(vkDeviceWaitIdle(context_->device()), "waiting for the device");
+    vulkan::check(context_->wait_idle(), "waiting for the device");
     VkSwapchainCreateInfoKHR info{};
     info.sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR;
     info.surface = surface_;
@@ -163,6 +163,7 @@ void Swapchain::present(std::uint32_t index) {
     info.swapchainCount = 1;
     info.pSwapchains = &chain;
     info.pImageIndices = &index;
+    const auto held = context_->hold_queue();
     const VkResult result = vkQueuePresentKHR(context_->queue(), &info);
     if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) {
         stale_ = true;

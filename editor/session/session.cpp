@@ -48,8 +48,11 @@ const HeightMap* Session::mask() const {
 std::uint64_t Session::mask_revision() const {
     return state_->sculptor->mask_revision();
 }
-std::uint64_t Session::mask_hash() const {
-    return mask() ? mask()->hash() : HeightMap(map().width(), map().height(), 0).hash();
+std::uint64_t Session::mask_hash() const { return state_->mask_hash(); }
+
+std::uint64_t Session::State::mask_hash() const {
+    const HeightMap* mask = sculptor->mask();
+    return mask ? mask->hash() : HeightMap(file.map.width(), file.map.height(), 0).hash();
 }
 const ColourMap* Session::colours() const {
     return state_->colours.there() ? &state_->colours.map() : nullptr;
@@ -82,9 +85,9 @@ vulkan::Context& Session::context() {
     return state_->view->context();
 }
 
-Renderer& Session::compare_with(const MethodChoice& method) {
+Renderer& Session::compare_with(const MethodChoice& method, const Advance& advance) {
     renderer();
-    return state_->view->compare_with(state_->scene, state_->maps(), state_->colours.view(), method);
+    return state_->view->compare_with(state_->scene, state_->maps(), state_->colours.view(), method, advance);
 }
 
 void Session::stop_comparing() {
@@ -131,19 +134,28 @@ void Session::change_mask(MaskCommand command, const Advance& advance) {
     s.recorder->record(MaskOp{command});
 }
 
-void Session::set(const std::string& key, const SetValue& value) {
+void Session::set(const std::string& key, const SetValue& value, const Advance& advance) {
     State& s = *state_;
     s.require_no_stroke();
     Displacement wanted;
+    const MethodChoice method_before = s.scene.method;
     const SettingScope scope = apply_setting(s.scene, key, value, wanted);
     if (scope == SettingScope::heights) {
         const bool other = wanted.procedural->exemplar != s.displacement().procedural->exemplar;
-        s.take_heights(wanted, other ? std::optional(open_map(wanted, {}, s.traced_by())) : std::nullopt);
+        const double read = other ? 0.4 : 0;  // part of the time, about
+        s.take_heights(wanted,
+                       other ? std::optional(open_map(wanted, {}, s.traced_by(), within(advance, 0, read))) : std::nullopt,
+                       within(advance, read, 1));
     } else if (scope == SettingScope::displacement) {
         s.surface->set_displacement(static_cast<float>(s.displacement().amplitude),
                                     static_cast<float>(s.displacement().midlevel));
     }
-    if (s.view) s.view->follow(scope, s.scene);
+    try {
+        if (s.view) s.view->follow(scope, s.scene, advance);
+    } catch (...) {
+        if (scope == SettingScope::method) s.scene.method = method_before;
+        throw;
+    }
     s.recorder->record(SetOp{key, value});
 }
 
@@ -156,22 +168,28 @@ void Session::bake(const ImageSize& size, const Advance& advance) {
     s.require_no_stroke();
     if (!s.source) throw std::invalid_argument("the heights are a map already; there is nothing to bake");
     check_bakeable(s.scene.objects.front());
-    HeightMap map = relievo::bake(*s.source, size, advance);
+    constexpr double kBaked = 0.7;  // part of the time, about
+    HeightMap map = relievo::bake(*s.source, size, within(advance, 0, kBaked));
     s.take_heights(baked_displacement(s.displacement(), {}),
-                   LoadedMap{std::move(map), {}, MapFormat::tiff16, nullptr});
+                   LoadedMap{std::move(map), {}, MapFormat::tiff16, nullptr}, within(advance, kBaked, 1));
     s.add_step(true, false, false);
     s.recorder->record(BakeOp{size});
 }
 
-void Session::make_colours(int bits) {
+void Session::make_colours(int bits, const Advance& advance) {
     State& s = *state_;
     s.require_no_stroke();
     require_map("paint");
-    s.colours.make(s.file.map.width(), s.file.map.height(), bits, s.scene.objects.front().material.albedo,
-                   s.view != nullptr);
+    constexpr double kFilled = 0.4;  // part of the time, about
+    const HeightMap& map = s.file.map;
+    auto fresh = run_beside(told_to(within(advance, 0, kFilled)), [&](const WorkPart& part) {
+        part.at(0, 1);
+        return s.colours.of_one_colour(map.width(), map.height(), bits, s.scene.objects.front().material.albedo, s.view != nullptr);
+    });
+    if (s.view) s.view->set_colours(view_of(fresh), within(advance, kFilled, 1));
+    s.colours.take(std::move(fresh));
     ++s.colour_revision;
     s.recorder->record(ColourMapOp{bits});
-    if (s.view) s.view->set_colours(s.colours.view());
 }
 
 bool Session::unsaved() const {

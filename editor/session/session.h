@@ -96,8 +96,9 @@ class Session {
 
     // A second renderer over the same scene and maps, by a method of its own, to compare two: it follows
     // every command but the method's, and no journal hears of it. Made at the first call; a later one changes
-    // its method. Throws as Renderer does.
-    Renderer& compare_with(const MethodChoice& method);
+    // its method. Throws as Renderer does. `advance` here, of make_colours() and of set() (methods and procedural heights)
+    // may stop it: then all is as it was.
+    Renderer& compare_with(const MethodChoice& method, const Advance& advance = {});
     void stop_comparing();
 
     // What a journal of this session starts with; its `scene` is absolute.
@@ -144,8 +145,8 @@ class Session {
     // A colour map of the map's size, filled with the material's albedo, that the renderer shows in the
     // albedo's place. No undo step. std::invalid_argument where there is one already, on bits other than 8
     // and 16, while the heights are procedural, or when memory would not do.
-    void make_colours(int bits);
-    void set(const std::string& key, const SetValue& value);  // keys: settings.h; std::invalid_argument
+    void make_colours(int bits, const Advance& advance = {});
+    void set(const std::string& key, const SetValue& value, const Advance& advance = {});  // keys: settings.h; std::invalid_argument
     void set_camera(const Camera& camera);
     // Procedural heights become a map of that many texels, to be sculpted; there is no way back but to open the scene
     // again. Undo steps end here. std::invalid_argument when the heights are a map, or cannot be baked (bake.h).

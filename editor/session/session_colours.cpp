@@ -40,14 +40,14 @@ SessionColours::SessionColours(const fs::path& start, const fs::path& own, bool 
     loaded_ = load_colours(start);
 }
 
-ColourView SessionColours::view() const {
-    if (!loaded_) return {};
-    const ColourMap& m = loaded_->map;
+ColourView view_of(const ColourMap& m) {
     return {m.width(),
             m.height(),
             m.bits(),
             {m.plane(0).texels().data(), m.plane(1).texels().data(), m.plane(2).texels().data()}};
 }
+
+ColourView SessionColours::view() const { return loaded_ ? view_of(loaded_->map) : ColourView{}; }
 
 std::array<std::uint16_t, 3> SessionColours::at(const glm::dvec2& uv, bool clamp) const {
     const auto texel = [&](double position, int size) {
@@ -59,10 +59,10 @@ std::array<std::uint16_t, 3> SessionColours::at(const glm::dvec2& uv, bool clamp
     return {m.plane(0).at(x, y), m.plane(1).at(x, y), m.plane(2).at(x, y)};
 }
 
-void SessionColours::make(int width, int height, int bits, const glm::vec3& albedo, bool on_device) {
+ColourMap SessionColours::of_one_colour(int width, int height, int bits, const glm::vec3& albedo, bool on_device) const {
     if (loaded_) throw std::invalid_argument("there is a colour map already");
     require_memory_for("new colour map", {width, height, bits, 3}, on_device);
-    loaded_ = LoadedColours{ColourMap(width, height, bits, encoded_colour(albedo)), nullptr};
+    return ColourMap(width, height, bits, encoded_colour(albedo));
 }
 
 fs::path SessionColours::path_beside(const fs::path& height_map) const {

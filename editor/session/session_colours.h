@@ -17,6 +17,8 @@ std::array<std::uint16_t, 3> encoded_colour(const glm::vec3& linear);
 
 std::array<float, 3> as_floats(const std::array<std::uint16_t, 3>& counts);  // [0, 1]
 
+ColourView view_of(const ColourMap& map);
+
 class SessionColours {
   public:
     // Loads `start`; empty: there is no map yet. `own`: what saving means, the scene's albedo map.
@@ -34,9 +36,10 @@ class SessionColours {
     // The map's own: the scene's, or where it was last saved; empty: none yet.
     const std::filesystem::path& file() const { return file_; }
 
-    // A map of one colour. std::invalid_argument where there is one already, on bits other than 8 and 16, and
+    // A map of one colour, to be taken. std::invalid_argument where there is one already, on bits other than 8 and 16, and
     // when memory would not do.
-    void make(int width, int height, int bits, const glm::vec3& albedo, bool on_device);
+    ColourMap of_one_colour(int width, int height, int bits, const glm::vec3& albedo, bool on_device) const;
+    void take(ColourMap map) { loaded_ = LoadedColours{std::move(map), nullptr}; }  // whose texels stay where they are
 
     // A new file beside a displacement map of that name: NAME_colour.png, or with the ending that the file
     // has now; with a number where that exists.

@@ -13,17 +13,21 @@ void Session::save(const fs::path& path, const SaveWith& with, const Advance& ad
     const MapFormat named = format_of(path);
     const bool both_exr = named == MapFormat::exr_float && s.file.format == MapFormat::exr_half;
     const MapFormat format = both_exr ? MapFormat::exr_half : named;
-    const double share = 1.0 / std::max(1, !with.colours.empty() + !with.mask.empty() + with.map);
-    const double begin = with.colours.empty() ? 0 : share, rest = with.mask.empty() ? begin : begin + share;
+    constexpr double kHashed = 0.1;  // part of the time, about
+    const SavedHashes hashes =
+        run_beside(told_to(within(advance, 0, kHashed)), [&](const WorkPart& part) { return s.hashes_of(with, part); });
+    const double share = (1 - kHashed) / std::max(1, !with.colours.empty() + !with.mask.empty() + with.map);
+    const double before = with.colours.empty() ? kHashed : kHashed + share;
+    const double rest = with.mask.empty() ? before : before + share;
     const auto write_the_rest = [&] {
         if (!with.colours.empty()) {
             if (!s.colours.there())
                 throw std::invalid_argument(with.colours.string() + ": there is no colour map to save");
             check_colour_path(with.colours);
-            s.replace_file(with.colours, [&] { s.colours.save(with.colours, within(advance, 0, begin)); });
+            s.replace_file(with.colours, [&] { s.colours.save(with.colours, within(advance, kHashed, before)); });
         }
         if (!with.mask.empty())
-            s.replace_file(with.mask, [&] { save_mask(mask(), with.mask, within(advance, begin, rest)); });
+            s.replace_file(with.mask, [&] { save_mask(mask(), with.mask, within(advance, before, rest)); });
     };
     const auto write_all = [&] {
         write_the_rest();
@@ -31,7 +35,18 @@ void Session::save(const fs::path& path, const SaveWith& with, const Advance& ad
         save_map(s.file.map, path, format, s.file.range, origin, within(advance, rest, 1));
     };
     with.map ? s.replace_file(path, write_all) : write_the_rest();
-    confirm_saved(path, with);
+    s.book_save(path, with, hashes);
+}
+
+// Of large maps that takes a while.
+SavedHashes Session::State::hashes_of(const SaveWith& with, const WorkPart& part) const {
+    SavedHashes hashes;
+    part.at(0, 0.5);
+    hashes.map = file.map.hash();
+    part.at(0.5, 1);
+    if (!with.colours.empty() && colours.there()) hashes.colours = colours.map().hash();
+    if (!with.mask.empty()) hashes.mask = mask_hash();
+    return hashes;
 }
 
 bool Session::State::is_in_its_file(const fs::path& map) const {
@@ -84,26 +99,29 @@ void Session::export_colours(const fs::path& path, const Advance& advance) const
 }
 
 void Session::confirm_saved(const fs::path& path, const SaveWith& with) {
-    State& s = *state_;
-    s.map_path = fs::absolute(path);
-    s.sculptor->mark_saved();
-    SaveOp op{*s.map_path, s.file.map.hash()};
-    if (!with.colours.empty() && s.colours.there()) {
-        s.colours.set_file(fs::absolute(with.colours));
-        s.colour_steps.mark_saved();
-        op.colour_map = s.colours.file();
-        op.colour = s.colours.map().hash();
+    state_->book_save(path, with, state_->hashes_of(with, {}));
+}
+
+void Session::State::book_save(const fs::path& path, const SaveWith& with, const SavedHashes& hashes) {
+    map_path = fs::absolute(path);
+    sculptor->mark_saved();
+    SaveOp op{*map_path, hashes.map};
+    if (!with.colours.empty() && colours.there()) {
+        colours.set_file(fs::absolute(with.colours));
+        colour_steps.mark_saved();
+        op.colour_map = colours.file();
+        op.colour = hashes.colours;
     }
     if (!with.mask.empty()) {
-        s.mask_steps.mark_saved();
-        op.mask = mask_hash();
+        mask_steps.mark_saved();
+        op.mask = hashes.mask;
     }
     if (with.map) {
-        s.height_steps.mark_saved();
-        s.starts_as_file = true;
+        height_steps.mark_saved();
+        starts_as_file = true;
     }
-    if (!s.height_steps.unsaved() && !s.colour_steps.unsaved() && !s.mask_steps.unsaved()) s.steps.mark_saved();
-    s.recorder->record(op);
+    if (!height_steps.unsaved() && !colour_steps.unsaved() && !mask_steps.unsaved()) steps.mark_saved();
+    recorder->record(op);
 }
 
 std::optional<fs::path> Session::colour_path() const {

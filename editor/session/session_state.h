@@ -27,6 +27,11 @@
 namespace relievo {
 namespace fs = std::filesystem;
 
+// What a save's record knows its files by; 0 of what is not saved.
+struct SavedHashes {
+    std::uint64_t map = 0, colours = 0, mask = 0;
+};
+
 struct Session::State {
     State(const fs::path& scene_file, const SessionOptions& given);
 
@@ -40,7 +45,7 @@ struct Session::State {
     std::vector<const HeightMap*> maps() const;
     // Other heights for the edited object: another map or exemplar where `fresh` holds one. Undo steps end
     // there. Throws before anything has changed.
-    void take_heights(const Displacement& wanted, std::optional<LoadedMap> fresh);
+    void take_heights(const Displacement& wanted, std::optional<LoadedMap> fresh, const Advance& advance);
     // What brushes work on, over file.map.
     void make_surface();
     // The mask that the session starts with, if any.
@@ -81,6 +86,10 @@ struct Session::State {
     Change swap_step(bool forth);
     void show(const Change& change, const Advance& advance, Change& shown);  // `shown`: of it, when stopped, too
 
+    SavedHashes hashes_of(const SaveWith& with, const WorkPart& part) const;
+    void book_save(const fs::path& path, const SaveWith& with, const SavedHashes& hashes);
+    std::uint64_t mask_hash() const;
+
     // `write` writes `path`. Where the session began with that, the recovery journal keeps it first.
     void replace_file(const fs::path& path, const std::function<void()>& write) {
         for (const auto& [which, start] : start_files())
@@ -119,7 +128,7 @@ struct Session::State {
         for (Steps* each : all_steps()) each->redo();
     }
 
-    void opened(double part) const { tell(options.opening, part, "Opening was stopped"); }  // by the constructor
+    void opened(double part) const { tell(options.opening, part, kOpeningStopped); }  // by the constructor
     void restart_image() {
         if (view) view->restart();
     }

@@ -8,8 +8,6 @@
 namespace relievo {
 namespace {
 
-constexpr const char* kStopped = "Stopped: all is as it was";
-
 // About as much as the device is given within a tenth of a second.
 constexpr int kSide = 2048;  // texels
 constexpr std::int64_t kBatch = std::int64_t{kSide} * kSide;
@@ -52,7 +50,7 @@ void Session::State::show(const Change& change, const Advance& advance, Change& 
     const auto count = static_cast<double>(heights.size() + painted.size());
     int done = 0;
     for (const Rects& batch : heights) {
-        tell(advance, done++ / count, kStopped);
+        tell(advance, done++ / count, kAllAsItWas);
         shown.heights.insert(shown.heights.end(), batch.begin(), batch.end());
         StageTimes part;
         view->upload(file.map, batch, part);
@@ -61,7 +59,7 @@ void Session::State::show(const Change& change, const Advance& advance, Change& 
         times.refit_ms += part.refit_ms;
     }
     for (const Rects& batch : painted) {
-        tell(advance, done++ / count, kStopped);
+        tell(advance, done++ / count, kAllAsItWas);
         shown.painted.insert(shown.painted.end(), batch.begin(), batch.end());
         view->upload_colours(colours.view(), batch, times);
     }
@@ -70,7 +68,7 @@ void Session::State::show(const Change& change, const Advance& advance, Change& 
 bool Session::State::take_step(bool forth, const Advance& advance) {
     require_no_stroke();
     if (!(forth ? sculptor->can_redo() : sculptor->can_undo())) return false;
-    tell(advance, 0, kStopped);
+    tell(advance, 0, kAllAsItWas);
     const auto book = [&] {
         forth ? redo_step() : undo_step();
         forth ? recorder->record(RedoOp{}) : recorder->record(UndoOp{});

@@ -30,7 +30,7 @@ std::vector<TexelRegion> regions_of(std::span<const TexelRect> rects) {
     return regions;
 }
 
-void follow_with(Renderer& renderer, SettingScope scope, const Scene& scene) {
+void follow_with(Renderer& renderer, SettingScope scope, const Scene& scene, const Advance& advance) {
     const SceneObject& object = scene.objects.front();
     switch (scope) {
         case SettingScope::camera:
@@ -44,14 +44,19 @@ void follow_with(Renderer& renderer, SettingScope scope, const Scene& scene) {
         case SettingScope::heights:
             return;
         case SettingScope::method:
-            return renderer.set_method(scene.method.name, scene.method.parameters);
+            return renderer.set_method(scene.method.name, scene.method.parameters, told_to(advance));
     }
 }
 
 }  // namespace
 
+WorkProgress told_to(const Advance& advance, const std::string& stopped) {
+    if (!advance) return {};
+    return [advance, stopped](double part) { tell(advance, part, stopped); };
+}
+
 SessionView::SessionView(const Scene& scene, std::span<const HeightMap* const> maps,
-                         const ColourView& colours, const SessionOptions& options)
+                         const ColourView& colours, const SessionOptions& options, const Advance& advance)
     : context_(std::make_unique<vulkan::Context>(
           vulkan::ContextOptions{options.device, options.validation, options.for_window})),
       path_(options.path) {
@@ -61,16 +66,17 @@ SessionView::SessionView(const Scene& scene, std::span<const HeightMap* const> m
     settings.method = scene.method.name;
     settings.parameters = scene.method.parameters;
     settings.path = options.path;
-    renderer_ =
-        std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours));
+    settings.light_ready = settings.picks_ready = options.for_window;
+    renderer_ = std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours),
+                                           told_to(advance, kOpeningStopped));
 }
 
 SessionView::~SessionView() = default;
 
 Renderer& SessionView::compare_with(const Scene& scene, std::span<const HeightMap* const> maps,
-                                    const ColourView& colours, const MethodChoice& method) {
+                                    const ColourView& colours, const MethodChoice& method, const Advance& advance) {
     if (second_) {
-        second_->set_method(method.name, method.parameters);
+        second_->set_method(method.name, method.parameters, told_to(advance));
         return *second_;
     }
     RenderSettings settings;
@@ -79,8 +85,9 @@ Renderer& SessionView::compare_with(const Scene& scene, std::span<const HeightMa
     settings.method = method.name;
     settings.parameters = method.parameters;
     settings.path = path_;
-    second_ =
-        std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours));
+    settings.light_ready = static_cast<bool>(advance);
+    second_ = std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours),
+                                         told_to(advance));
     return *second_;
 }
 
@@ -108,19 +115,37 @@ void SessionView::upload_colours(const ColourView& colours, std::span<const Texe
     times.upload_ms += watch.lap_ms();
 }
 
-void SessionView::set_colours(const ColourView& colours) {
-    renderer_->set_colours(0, colours);
-    if (second_) second_->set_colours(0, colours);
+void SessionView::change_both(const Advance& advance, const std::function<void(Renderer&, const WorkProgress&)>& change,
+                              const std::function<void(Renderer&)>& undo) {
+    const double first = second_ ? 0.5 : 1;
+    change(*renderer_, told_to(within(advance, 0, first)));
+    if (!second_) return;
+    try {
+        change(*second_, told_to(within(advance, first, 1)));
+    } catch (...) {
+        undo(*renderer_);
+        throw;
+    }
 }
 
-void SessionView::follow(SettingScope scope, const Scene& scene) {
-    follow_with(*renderer_, scope, scene);
-    if (second_ && scope != SettingScope::method) follow_with(*second_, scope, scene);
+void SessionView::set_colours(const ColourView& colours, const Advance& advance) {
+    change_both(
+        advance, [&](Renderer& r, const WorkProgress& progress) { r.set_colours(0, colours, progress); },
+        [](Renderer& r) { r.set_colours(0, {}); });
 }
 
-void SessionView::set_heights(const Displacement& displacement, const HeightMap& map) {
-    renderer_->set_heights(0, displacement, view_of(map));
-    if (second_) second_->set_heights(0, displacement, view_of(map));
+void SessionView::follow(SettingScope scope, const Scene& scene, const Advance& advance) {
+    follow_with(*renderer_, scope, scene, advance);
+    if (second_ && scope != SettingScope::method) follow_with(*second_, scope, scene, {});
+}
+
+void SessionView::set_heights(const Heights& wanted, const Heights& before, const Advance& advance) {
+    change_both(
+        advance,
+        [&](Renderer& r, const WorkProgress& progress) {
+            r.set_heights(0, wanted.displacement, view_of(wanted.map), progress);
+        },
+        [&](Renderer& r) { r.set_heights(0, before.displacement, view_of(before.map)); });
 }
 
 void SessionView::restart() {

@@ -2,9 +2,12 @@
 // timed.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 
+#include "brushes/advance.h"
 #include "brushes/height_map.h"
 #include "brushes/texel_rect.h"
 #include "editor/session/session.h"
@@ -12,18 +15,22 @@
 
 namespace relievo {
 
+inline constexpr const char *kAllAsItWas = "Stopped: all is as it was", *kOpeningStopped = "Opening was stopped";
+// For work of a renderer.
+WorkProgress told_to(const Advance& advance, const std::string& stopped = kAllAsItWas);
+
 class SessionView {
   public:
     // `maps`: one a scene object, and `colours`: of objects[0], read during the call only. `scene` outlives
-    // the view. Throws as Renderer does.
+    // the view. Throws as Renderer does. `advance` here and below: what it stops leaves both renderers as they were.
     SessionView(const Scene& scene, std::span<const HeightMap* const> maps, const ColourView& colours,
-                const SessionOptions& options);
+                const SessionOptions& options, const Advance& advance);
     ~SessionView();
 
     Renderer& renderer() { return *renderer_; }
     // The second renderer, made or told its method.
     Renderer& compare_with(const Scene& scene, std::span<const HeightMap* const> maps,
-                           const ColourView& colours, const MethodChoice& method);
+                           const ColourView& colours, const MethodChoice& method, const Advance& advance);
     void stop_comparing() { second_.reset(); }
     vulkan::Context& context() { return *context_; }
 
@@ -31,14 +38,22 @@ class SessionView {
     void upload(const HeightMap& map, std::span<const TexelRect> rects, StageTimes& times);
     // The same of its colours; adds to upload_ms.
     void upload_colours(const ColourView& colours, std::span<const TexelRect> rects, StageTimes& times);
-    void set_colours(const ColourView& colours);          // there were none
-    void follow(SettingScope scope, const Scene& scene);  // all but heights
-    // objects[0] has other heights.
-    void set_heights(const Displacement& displacement, const HeightMap& map);
+    void set_colours(const ColourView& colours, const Advance& advance);  // there were none
+    void follow(SettingScope scope, const Scene& scene, const Advance& advance);  // all but heights
+    // What objects[0] is displaced by.
+    struct Heights {
+        const Displacement& displacement;
+        const HeightMap& map;
+    };
+    void set_heights(const Heights& wanted, const Heights& before, const Advance& advance);
     void restart();
     void trace(const PixelRect& window, StageTimes& times);
 
   private:
+    // Both, one after the other; where the second throws, the first gets `undo`.
+    void change_both(const Advance& advance, const std::function<void(Renderer&, const WorkProgress&)>& change,
+                     const std::function<void(Renderer&)>& undo);
+
     std::unique_ptr<vulkan::Context> context_;
     TracePath path_;
     std::unique_ptr<Renderer> renderer_, second_;

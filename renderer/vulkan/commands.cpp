@@ -31,7 +31,10 @@ void Commands::run(const std::function<void(VkCommandBuffer)>& record) {
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &buffer_;
     const VkFence fence = fence_.get();
-    check(vkQueueSubmit(context_->queue(), 1, &submit, fence), "submitting work");
+    {
+        const auto held = context_->hold_queue();
+        check(vkQueueSubmit(context_->queue(), 1, &submit, fence), "submitting work");
+    }
     check(vkWaitForFences(context_->device(), 1, &fence, VK_TRUE, UINT64_MAX), "waiting for the device");
     check(vkResetFences(context_->device(), 1, &fence), "resetting a fence");
 }

@@ -330,6 +330,11 @@ void Context::release() {
     if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
 }
 
+VkResult Context::wait_idle() const {
+    const auto held = hold_queue();
+    return vkDeviceWaitIdle(device_);
+}
+
 int Context::validation_messages() { return message_count; }
 
 }  // namespace relievo::vulkan

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,9 @@ class Context {
     VkPhysicalDevice physical_device() const { return physical_; }
     VkDevice device() const { return device_; }
     VkQueue queue() const { return queue_; }
+    // Vulkan lets one thread at a time give a queue work, or wait until the device is idle: who does holds this.
+    std::unique_lock<std::mutex> hold_queue() const { return std::unique_lock(queue_held_); }
+    VkResult wait_idle() const;
     std::uint32_t queue_family() const { return queue_family_; }
     const DeviceInfo& info() const { return info_; }
     Programs& programs() const { return *programs_; }  // compiled for this device
@@ -63,6 +67,7 @@ class Context {
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
+    mutable std::mutex queue_held_;
     std::uint32_t queue_family_ = 0;
     DeviceInfo info_;
     std::unique_ptr<Programs> programs_;

@@ -27,6 +27,10 @@ class Passes {
     Passes(const Context& context, VkDescriptorSetLayout set_layout, std::string_view method, TracePath path,
            bool driver_triangles, bool bundles, const SpecConstants& constants);
 
+    // Compiles the pass's program, where it was not yet.
+    void make(Pass pass) { program(pass); }
+    bool is_made(Pass pass) const { return programs_[static_cast<std::size_t>(pass)] != nullptr; }
+
     // Records the dispatch of width x height invocations (pick: width rays, height 1). Pipelines are made at first
     // use: a pass that nobody asks for is never compiled.
     void record(VkCommandBuffer commands, Pass pass, VkDescriptorSet set, const gpu::PushData& push, int width,

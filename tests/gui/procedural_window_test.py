@@ -60,6 +60,7 @@ def sliders_exemplar_bake_and_stroke_replay(case):
     case.desktop.drag(ON_THE_OBJECT)
     editor.screenshot()
     click(case, BAKE)
+    wait_for("the bake", lambda: operations(case.journal)[-1]["op"] == "bake")  # its bar lies over the object
     case.stroke(case.journal, ON_THE_OBJECT)
     assert [op["op"] for op in operations(case.journal) if op["op"] != "set"] == ["bake", "stroke"], "sculpted unbaked"
     scale, seed = last_set(case, "procedural.scale"), last_set(case, "procedural.seed")
