@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "brushes/dab_work.h"
 #include "brushes/pressed_image.h"
 #include "brushes/shared_work.h"
+#include "brushes/tile_rects.h"
 
 namespace relievo {
 
@@ -152,14 +152,6 @@ std::vector<TexelRect> PaintStroke::restore() {
         for (const TexelRect& rect : plane->restore())
             if (!rect.empty()) rects.push_back(rect);
     return joined_by_tile(rects, planes_[0]->grid());
-}
-
-std::vector<TexelRect> joined_by_tile(std::span<const TexelRect> rects, const TileGrid& grid) {
-    std::map<std::uint32_t, TexelRect> of_tile;
-    for (const TexelRect& rect : rects) of_tile[grid.tile_of(rect.x0, rect.y0)].include(rect);
-    std::vector<TexelRect> joined;
-    for (const auto& [tile, rect] : of_tile) joined.push_back(rect);
-    return joined;
 }
 
 }  // namespace relievo

@@ -72,7 +72,4 @@ class PaintStroke {
     std::array<std::unique_ptr<StrokeTiles>, 3> planes_;
 };
 
-// Joins rectangles that lie in one tile of the grid.
-std::vector<TexelRect> joined_by_tile(std::span<const TexelRect> rects, const TileGrid& grid);
-
 }  // namespace relievo

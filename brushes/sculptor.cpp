@@ -12,6 +12,7 @@
 #include "brushes/dab_tools.h"
 #include "brushes/sculptor_state.h"
 #include "brushes/shared_work.h"
+#include "brushes/tile_rects.h"
 
 namespace relievo {
 

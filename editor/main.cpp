@@ -17,9 +17,10 @@ int main(int argc, char** argv) {
 #ifdef RELIEVO_HAS_WINDOW
     editor = [](const relievo::EditRequest& request) {
 #ifdef __GLIBC__
-        // What a large dab needed for a moment goes back to the system; by itself, glibc comes to keep it.
-        // Other verbs are over soon, and a replay of large dabs would spend a sixth of its time on it.
-        mallopt(M_MMAP_THRESHOLD, 1 << 20);
+        // What a dab or a frame needs for a moment is kept for the next one: pages from the system cost more than the work
+        // in them, on virtual machines most of all (microseconds each). App::give_memory_back() returns it between strokes.
+        mallopt(M_MMAP_THRESHOLD, 32 << 20);  // as much as glibc takes
+        mallopt(M_TRIM_THRESHOLD, 256 << 20);
 #endif
         return relievo::run_editor(
             relievo::EditorOptions{request.scene, request.frame_log, request.most_fps, request.session});

@@ -19,44 +19,18 @@ DisplacementPlane displacement_plane(const HeightPlane& plane, const MapSurface&
     return d;
 }
 
-CloseBounds bounds_of(const FootprintHeights& heights, const std::optional<Box>& box, const MappedTriangle& triangle,
-                      const MapSurface& surface) {
-    CloseBounds bounds{height_plane(heights), box};
+}  // namespace
+
+CloseBounds close_bounds(const MappedTriangle& triangle, const MapSurface& surface) {
+    const auto heights = footprint_heights(surface.map, surface.pyramid, triangle.uvs);
+    if (!heights) return {};
+    CloseBounds bounds{height_plane(*heights), map_surface_box(triangle.primitive, triangle.normals, *heights,
+                                                               surface.amplitude, surface.midlevel)};
     if (bounds.plane) {
         const double spread = std::abs(surface.amplitude) / 65535 * (bounds.plane->high - bounds.plane->low);
         if (!(spread < kNarrowPlane * (triangle.range.high - triangle.range.low))) bounds.plane.reset();
     }
     return bounds;
-}
-
-bool holds(const HeightPlane& plane, const FootprintHeights& heights) {
-    const auto now = heights_about(plane.corner, heights);
-    return now && now->low >= plane.low - kPlaneRounding && now->high <= plane.high + kPlaneRounding;
-}
-
-std::optional<Box> box_of(const FootprintHeights& heights, const MappedTriangle& triangle, const MapSurface& surface) {
-    return map_surface_box(triangle.primitive, triangle.normals, heights, surface.amplitude, surface.midlevel);
-}
-
-}  // namespace
-
-CloseBounds close_bounds(const MappedTriangle& triangle, const MapSurface& surface) {
-    const auto heights = footprint_heights(surface.map, surface.pyramid, triangle.uvs);
-    return heights ? bounds_of(*heights, box_of(*heights, triangle, surface), triangle, surface) : CloseBounds{};
-}
-
-bool update_close_bounds(CloseBounds& bounds, const MappedTriangle& triangle, const MapSurface& surface) {
-    if (!bounds.plane && !bounds.box) return false;
-    const auto heights = footprint_heights(surface.map, surface.pyramid, triangle.uvs);
-    if (heights) {
-        const auto box = box_of(*heights, triangle, surface);
-        const bool box_holds = !bounds.box || (box && relievo::holds(*bounds.box, *box));
-        if (box_holds && (!bounds.plane || holds(*bounds.plane, *heights))) return false;
-        bounds = bounds_of(*heights, box, triangle, surface);
-    } else {
-        bounds = {};
-    }
-    return true;
 }
 
 Box box_within(const CloseBounds& bounds, const MappedTriangle& triangle) {

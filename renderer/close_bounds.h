@@ -1,6 +1,5 @@
 // What bounds a triangle's part of S under a displacement map as closely as the map tells: a plane beside which its heights
-// stay (for slabs, surface_hull.h), and the box of the surface itself. For methods whose hits lie on S, and kept while the
-// map is edited: they are made anew only where they no longer hold.
+// stay (for slabs, surface_hull.h), and the box of the surface itself. For methods whose hits lie on S.
 #pragma once
 
 #include <array>
@@ -16,6 +15,7 @@ namespace relievo {
 struct CloseBounds {
     std::optional<HeightPlane> plane;  // where heights leave it clearly less than they differ
     std::optional<Box> box;
+    bool operator==(const CloseBounds&) const = default;
 };
 
 struct MapSurface {
@@ -33,8 +33,6 @@ struct MappedTriangle {
 };
 
 CloseBounds close_bounds(const MappedTriangle& triangle, const MapSurface& surface);
-// After heights have changed: whether they had to be made anew.
-bool update_close_bounds(CloseBounds& bounds, const MappedTriangle& triangle, const MapSurface& surface);
 
 Box box_within(const CloseBounds& bounds, const MappedTriangle& triangle);
 SurfaceHull hull_within(const CloseBounds& bounds, const MappedTriangle& triangle, const MapSurface& surface);

@@ -235,26 +235,29 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     }
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    bool grown = false;
     for (const std::uint32_t face : faces) {
         const std::uint32_t i = object.primitive_of[face];
         if (i == kNone) continue;
         ++stats.triangles_touched;
         DisplacementRange& range = object.ranges[face];
-        const DisplacementRange fresh = range_of(object, face);
-        // Bounds that shrank stay: they are still true, and the box need not move. Micro-triangles move.
-        const bool wider = fresh.low < range.low || fresh.high > range.high;
-        range = {std::min(range.low, fresh.low), std::max(range.high, fresh.high)};
-        const bool moved = has_close_bounds(object) &&
-                           update_close_bounds(object.close[face], triangle_of(primitives_[i]),
-                                               surface_of(object));
-        if (!micro_ && !wider && !moved) continue;
+        // Bounds that shrank are still true, but what rays meet must not depend, by a rounding, on what the map was
+        // before: picks place dabs, and journals replay them.
+        bool moved = micro_.has_value();
+        if (const DisplacementRange fresh = range_of(object, face); fresh != range) {
+            range = fresh;
+            moved = true;
+        }
+        if (has_close_bounds(object)) {
+            const CloseBounds fresh = close_bounds(triangle_of(primitives_[i]), surface_of(object));
+            moved = moved || fresh != object.close[face];
+            object.close[face] = fresh;
+        }
+        if (!moved) continue;
         update_primitive(object, face);
-        ++stats.triangles_grown;
-        grown = true;
+        ++stats.triangles_moved;
     }
     stats.bounds_ms = watch.lap_ms();
-    if (grown) {
+    if (stats.triangles_moved > 0) {
         tree_.refit(commands_);
         stats.refit_ms = watch.lap_ms();
     }

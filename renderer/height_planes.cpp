@@ -7,6 +7,9 @@
 namespace relievo {
 namespace {
 
+// Counts: bounds leave this much for what rounding does to heights, and as much for what it does to a plane that is told by
+// its corners.
+constexpr double kRounding = 0.01;
 constexpr double kLeastTilt = 1e-6;  // of the places' moments: footprints narrower than that have no plane
 
 HeightPlane bounds_about(const MapLinear& plane, const FootprintHeights& heights) {
@@ -16,7 +19,7 @@ HeightPlane bounds_about(const MapLinear& plane, const FootprintHeights& heights
         span.include(s.low - at - std::max(across, 0.0) - std::max(up, 0.0));
         span.include(s.high - at - std::min(across, 0.0) - std::min(up, 0.0));
     }
-    const double rounding = 2 * kPlaneRounding + 2 * FootprintHeights::kPlaces * plane.steepness();
+    const double rounding = 2 * kRounding + 2 * FootprintHeights::kPlaces * plane.steepness();
     HeightPlane bounds;
     bounds.low = span.low - rounding;
     bounds.high = span.high + rounding;
@@ -25,12 +28,6 @@ HeightPlane bounds_about(const MapLinear& plane, const FootprintHeights& heights
 }
 
 }  // namespace
-
-std::optional<HeightPlane> heights_about(const std::array<double, 3>& corner, const FootprintHeights& heights) {
-    const MapLinear plane = linear_through(corner, heights.corners);
-    if (!std::isfinite(plane.steepness())) return std::nullopt;
-    return bounds_about(plane, heights);
-}
 
 std::optional<HeightPlane> height_plane(const FootprintHeights& heights) {
     double h = 0, xy = 0;

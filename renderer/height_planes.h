@@ -14,16 +14,10 @@ namespace relievo {
 struct HeightPlane {
     std::array<double, 3> corner{};
     double low = 0, high = 0;
+    bool operator==(const HeightPlane&) const = default;
 };
 
-// Counts. Bounds leave this much for what rounding does to heights, and as much for what it does to a plane that is told by its
-// corners.
-constexpr double kPlaneRounding = 0.01;
-
-// The least and greatest of what the heights have above the plane through `corner`; nothing for a triangle that has no area
-// in the map.
-std::optional<HeightPlane> heights_about(const std::array<double, 3>& corner, const FootprintHeights& heights);
-// The same about the plane that is nearest to them (least squares).
+// About the plane that is nearest to the heights (least squares); nothing for a triangle that has no area in the map.
 std::optional<HeightPlane> height_plane(const FootprintHeights& heights);
 
 }  // namespace relievo

@@ -14,11 +14,13 @@ namespace relievo {
 
 struct Box {
     glm::vec3 low, high;  // world
+    bool operator==(const Box&) const = default;
 };
 
 // Displacement of one triangle's surface, world units along the interpolated unit normal.
 struct DisplacementRange {
     double low, high;
+    bool operator==(const DisplacementRange&) const = default;
 };
 
 // The vertex normals' cosines to ng are held above this: beyond, the parallel offset prism runs to infinity.

@@ -58,8 +58,8 @@ struct RenderSettings {
 struct UploadStats {
     double copy_ms = 0;    // texels into the image
     double bounds_ms = 0;  // height bounds of the touched triangles
-    double refit_ms = 0;   // acceleration structure, only when a triangle's box grew
-    int triangles_touched = 0, triangles_grown = 0;
+    double refit_ms = 0;   // acceleration structure, only where bounds of triangles changed
+    int triangles_touched = 0, triangles_moved = 0;
 };
 
 enum class Quality {

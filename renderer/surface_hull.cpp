@@ -113,10 +113,6 @@ Box overlap(const Box& a, const Box& b) {
     return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
 }
 
-bool holds(const Box& outer, const Box& inner) {
-    return glm::all(glm::lessThanEqual(outer.low, inner.low)) && glm::all(glm::greaterThanEqual(outer.high, inner.high));
-}
-
 Box surface_box(const gpu::Primitive& p, const gpu::PrimitiveNormals& n, const DisplacementRange& range) {
     const Box box = box_of(surface_hull(p, n, range));
     if ((p.flags & gpu::kPrimitiveSearched) != 0) return box;

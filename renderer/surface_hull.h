@@ -51,7 +51,6 @@ Box prism_box(const gpu::Primitive& primitive);
 // Of S over the triangle for displacements in the range, after set_shell with the same.
 Box surface_box(const gpu::Primitive& primitive, const gpu::PrimitiveNormals& normals, const DisplacementRange& range);
 Box overlap(const Box& a, const Box& b);
-bool holds(const Box& outer, const Box& inner);
 
 struct Extent {
     double low, high;

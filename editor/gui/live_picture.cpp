@@ -99,6 +99,7 @@ void LivePicture::set_divider(double share) {
 }
 
 Renderer& LivePicture::renderer_at(double x) {
+    session_->show_edits();
     return panes_[is_split() && x >= divider_px() ? 1 : 0]->renderer();
 }
 
@@ -192,6 +193,7 @@ double LivePicture::progress() const {
 
 void LivePicture::work(double budget_ms) {
     const auto start = Clock::now();
+    session_->show_edits();
     const auto share = static_cast<double>(panes_.size());
     bool moved = false;
     double left_ms = budget_ms;

@@ -104,8 +104,8 @@ void draw_status_bar(Desk& desk, const Box& box) {
     const Item stages{
         formatted("edit %.1f  upload %.2f  bounds %.2f  trace %.0f ms", t.edit_ms, t.upload_ms,
                   t.bounds_ms + t.refit_ms, desk.live.trace_ms()),
-        "Milliseconds by stage: the last dab's edit of the map, its upload, the bounds of the touched "
-        "triangles (refit included), and the last trace."};
+        "Milliseconds by stage: the last dab's edit of the map, the upload of what a frame's dabs changed, the "
+        "bounds of the touched triangles (refit included), and the last trace."};
     const Item memory{formatted("undo %.1f / %.0f MiB", mebibytes(desk.session.undo_bytes()),
                                 mebibytes(desk.session.undo_budget())),
                       "Memory of the undo steps; beyond the budget, the oldest are dropped."};

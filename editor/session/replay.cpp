@@ -109,6 +109,7 @@ class Replayer {
             for (std::size_t i = 0; i < copies.size(); ++i) copies[i] = op.copies[i][k];
             for (std::size_t i = 0; i < sources.size(); ++i) sources[i] = op.sources[i][k];
             session_.dab(op.dabs[k], copies, sources);
+            session_.show_edits();
             if (options_.live && report_.dab_times.size() % dabs_per_trace_ == 0) trace_around_dab();
             report_.dab_times.push_back(session_.times());
         }

@@ -77,7 +77,12 @@ bool Session::has_renderer() const {
 
 Renderer& Session::renderer() {
     if (!state_->view) throw std::logic_error("this session has no renderer");
+    show_edits();
     return state_->view->renderer();
+}
+
+void Session::show_edits() {
+    state_->show_edits();
 }
 
 vulkan::Context& Session::context() {

@@ -45,7 +45,7 @@ struct SessionOptions {
     Advance opening{};  // asked by the constructor, on its thread
 };
 
-struct StageTimes {  // milliseconds of the last dab or frame
+struct StageTimes {  // milliseconds of the last dab, of what was uploaded since it (many dabs, then), and of the last frame
     double edit_ms = 0, upload_ms = 0, bounds_ms = 0, refit_ms = 0, trace_ms = 0;
 };
 
@@ -90,7 +90,11 @@ class Session {
     std::array<float, 3> colour_at(const PickHit& hit) const;
     const Surface& surface() const;
     bool has_renderer() const;
-    Renderer& renderer();  // throws std::logic_error without one
+    // With all that dabs have changed uploaded. std::logic_error without one.
+    Renderer& renderer();
+    // What dabs change is uploaded where somebody looks at it, many dabs at once: by renderer(), trace() and the end
+    // of the stroke. For those who keep a renderer: before they pick or trace in a stroke.
+    void show_edits();
     vulkan::Context& context();
     const StageTimes& times() const;
 

@@ -2,6 +2,7 @@
 #include "editor/session/session_state.h"
 
 #include "brushes/symmetry.h"
+#include "brushes/tile_rects.h"
 #include "editor/session/mesh_hash.h"
 
 namespace relievo {
@@ -126,6 +127,14 @@ void Session::State::allow_painting() {
     if (!colours.there() || can_paint) return;
     sculptor->set_colours(colours.map());
     can_paint = true;
+}
+
+void Session::State::show_edits() {
+    if (unshown.empty() && unshown_colours.empty()) return;
+    const TileGrid grid(file.map.width(), file.map.height());
+    const auto take = [&](std::vector<TexelRect>& rects) { return without_overlaps(std::exchange(rects, {}), grid); };
+    view->upload(file.map, take(unshown), times);
+    view->upload_colours(colours.view(), take(unshown_colours), times);
 }
 
 const SymmetricDabs& Session::State::symmetry() {

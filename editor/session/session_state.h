@@ -59,8 +59,8 @@ struct Session::State {
         if (sculptor->in_stroke()) throw std::logic_error("end the stroke first");
     }
 
-    // Runs one edit of the map, books it, then shows it: what happened to the map is recorded even if the
-    // device fails to show it.
+    // Runs one edit of the map and books it. What it changed waits for show_edits(): what happened to the map is
+    // recorded even if the device fails to show it.
     template <typename Edit, typename Book>
     void apply(Edit edit, Book book) {
         using Clock = std::chrono::steady_clock;
@@ -73,9 +73,10 @@ struct Session::State {
         if (!painted.empty()) ++colour_revision;
         book();
         if (!view) return;
-        view->upload(file.map, rects, times);
-        view->upload_colours(colours.view(), painted, times);
+        unshown.insert(unshown.end(), rects.begin(), rects.end());
+        unshown_colours.insert(unshown_colours.end(), painted.begin(), painted.end());
     }
+    void show_edits();  // where dabs overlap, their texels are uploaded once
 
     // What a step changed.
     struct Change {
@@ -163,6 +164,7 @@ struct Session::State {
     std::optional<SymmetricDabs> symmetric;  // made at a stroke's first dab that needs it
     std::optional<Touched> touched;
     StageTimes times;
+    std::vector<TexelRect> unshown, unshown_colours;  // changed since the device was last told
 };
 
 }  // namespace relievo

@@ -116,12 +116,14 @@ void Session::end_stroke() {
                 if (s.stroke.alpha) s.recorder->keep_alpha(*s.alpha);
                 s.recorder->record(s.stroke);
             });
+    s.show_edits();
     if (!s.masks()) s.restart_image();
 }
 
 void Session::cancel_stroke() {
     State& s = *state_;
     s.apply([&] { return s.sculptor->cancel(); }, [] {});
+    s.show_edits();
     if (s.stroke.brush.tool == Tool::clone) s.clone_source.cancel();
     if (!s.stroke.dabs.empty() && !s.masks()) s.restart_image();
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "brushes/texel_rect.h"
+#include "brushes/tile_rects.h"
 
 namespace relievo {
 namespace {
@@ -56,6 +57,33 @@ TEST(MergeRects, scattered_texels_are_covered_by_at_most_the_asked_number) {
         EXPECT_TRUE(disjoint(merged));
         for (const TexelRect& texel : texels) ASSERT_TRUE(inside_some(texel, merged));
     }
+}
+
+TEST(WithoutOverlaps, WhatDoesNotOverlapStaysAsItIs) {
+    const TileGrid grid(8192, 8192);
+    const std::vector<TexelRect> rects{{10, 10, 300, 20}, {0, 20, 300, 90}, {5000, 0, 5001, 1}};
+    EXPECT_EQ(without_overlaps(rects, grid), rects);
+    EXPECT_TRUE(without_overlaps({}, grid).empty());
+}
+
+TEST(WithoutOverlaps, ARowOfDabsIsCoveredWithLittleBesideIt) {
+    const TileGrid grid(8192, 8100);
+    std::vector<TexelRect> dabs;
+    for (int i = 0; i < 40; ++i) dabs.push_back({i * 50, 100 + i * 50, i * 50 + 200, 300 + i * 50});
+    dabs.push_back({8000, 8000, 8192, 8100});
+    const std::vector<TexelRect> rects = without_overlaps(dabs, grid);
+    EXPECT_TRUE(disjoint(rects));
+    EXPECT_LE(rects.size(), 64u);
+    std::int64_t area = 0, inside = 0, wanted = 0;
+    for (const TexelRect& rect : rects) area += rect.area();
+    for (const TexelRect& dab : dabs)
+        for (int y = dab.y0; y < dab.y1; ++y)
+            for (int x = dab.x0; x < dab.x1; ++x) {
+                ++wanted;
+                inside += std::any_of(rects.begin(), rects.end(), [&](const TexelRect& r) { return r.contains(x, y); });
+            }
+    EXPECT_EQ(inside, wanted);
+    EXPECT_LT(area, 40 * 200 * 200);  // what all dabs hold, one by one
 }
 
 }  // namespace

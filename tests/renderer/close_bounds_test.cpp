@@ -139,8 +139,7 @@ TEST(CloseBounds, HoldEveryPointOfTheSurface) {
                 SCOPED_TRACE(map.name + " " + std::to_string(reach) + " " + std::to_string(round));
                 const Bounded t(random_triangle(rng, round % 3 * 0.4, reach, map), map, round % 2 == 0 ? 0.3 : -1.5, u(rng));
                 const MapSurface surface{map.view(), pyramid, t.amplitude, t.midlevel};
-                CloseBounds bounds = close_bounds(t.triangle(), surface);
-                EXPECT_FALSE(update_close_bounds(bounds, t.triangle(), surface));
+                const CloseBounds bounds = close_bounds(t.triangle(), surface);
                 const Box box = box_within(bounds, t.triangle());
                 const SurfaceHull hull = hull_within(bounds, t.triangle(), surface);
                 const dvec3 direction(u(rng) - 0.5, u(rng) - 0.5, u(rng) - 0.5), origin(0.3, -2, 1);
@@ -213,28 +212,6 @@ TEST(CloseBounds, AreAsNarrowAsASmoothSurface) {
         }
         EXPECT_LT(bounded, sampled * (reach < 0.1 ? 1.02 : 1.1)) << reach;
         EXPECT_LT(bounded, by_range * 0.9) << reach << " " << by_range / sampled;
-    }
-}
-
-TEST(CloseBounds, NoLongerHoldOnceHeightsHaveLeftThem) {
-    for (const double reach : {0.02, 0.2}) {
-        TestMap map{"flat", 256, 256, Wrap::repeat, std::vector<std::uint16_t>(256 * 256, 30000)};
-        for (std::size_t i = 0; i < map.texels.size(); ++i) map.texels[i] = static_cast<std::uint16_t>(20000 + 100 * (i % 256));
-        std::mt19937 rng(4);
-        const Bounded t(random_triangle(rng, 0.1, reach, map), map, 0.5, 0.5);
-        HeightPyramid pyramid(map.view(), map.wrap);
-        const MapSurface before{map.view(), pyramid, t.amplitude, t.midlevel};
-        CloseBounds bounds = close_bounds(t.triangle(), before);
-        ASSERT_TRUE(bounds.box);
-        const dvec2 middle = (dvec2(t.uvs[0]) + dvec2(t.uvs[1]) + dvec2(t.uvs[2])) / 3.0;
-        const auto texel = [](double at) { return static_cast<int>(std::floor((at - std::floor(at)) * 256)) % 256; };
-        const int x = texel(middle.x), y = texel(middle.y);
-        map.texels[static_cast<std::size_t>(y * 256 + x)] = 65535;
-        pyramid.update(map.view(), {x, y, x + 1, y + 1});
-        const MapSurface after{map.view(), pyramid, t.amplitude, t.midlevel};
-        EXPECT_TRUE(update_close_bounds(bounds, t.triangle(), after)) << reach;
-        EXPECT_EQ(bounds.box->low, close_bounds(t.triangle(), after).box->low) << reach;
-        EXPECT_FALSE(update_close_bounds(bounds, t.triangle(), after)) << reach;
     }
 }
 

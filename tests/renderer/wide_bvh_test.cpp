@@ -23,6 +23,10 @@ bool has_slab(const gpu::BvhNode& node) {
     return node.exponents >> 20 < gpu::kBvhNoSlab;
 }
 
+bool holds(const Box& outer, const Box& inner) {
+    return glm::all(glm::lessThanEqual(outer.low, inner.low)) && glm::all(glm::greaterThanEqual(outer.high, inner.high));
+}
+
 Box decoded(const gpu::BvhNode& node, int child) {
     Box box{};
     for (int axis = 0; axis < 3; ++axis) {

@@ -41,10 +41,9 @@ TEST_F(Live, APickedStrokeAndItsReplayWithoutADeviceGiveTheSameBytes) {
         const std::uint64_t start = session.map().hash();
         session.brush().radius = 0.2f;
         session.brush().strength = 1;
-        Renderer& renderer = session.renderer();
         StrokeInput input(
-            session.brush(), [&](std::span<const Ray> rays) { return renderer.pick(rays); },
-            [&](double x, double y) { return renderer.camera_ray(x, y); },
+            session.brush(), [&](std::span<const Ray> rays) { return session.renderer().pick(rays); },
+            [&](double x, double y) { return session.renderer().camera_ray(x, y); },
             [&](const Dab& dab) {
                 session.dab(dab);
                 ++dabs;
@@ -83,6 +82,30 @@ TEST_F(Live, APickedPointProjectsBackToItsPixel) {
             EXPECT_LT(glm::length(address - hit.position), 2e-3f) << "the dab's address is where the ray hit";
         }
     EXPECT_GT(hits, 5);
+}
+
+// Dabs side by side and one upon another, over both halves of the map.
+TEST_F(Live, DabsShownManyAtOnceAreShownAsOneByOne) {
+    const auto shown_every = [&](std::size_t count) {
+        Session session(scene_, on_device());
+        session.make_colours(8);
+        session.brush().paint = Paint::both;
+        session.begin_stroke();
+        for (std::uint32_t i = 0; i < 24; ++i) {
+            session.dab({0, 60 + 5 * (i / 2), 300000, 300000, 65535});
+            if (i % count == 0) session.show_edits();
+        }
+        Renderer& renderer = session.renderer();
+        renderer.restart();
+        renderer.render();
+        return std::pair(renderer.read_back(Layer::depth), renderer.read_back(Layer::beauty));
+    };
+    const auto one_by_one = shown_every(1);
+    EXPECT_EQ(shown_every(7), one_by_one);
+    EXPECT_EQ(shown_every(1000), one_by_one);
+    Session untouched(scene_, on_device());
+    untouched.renderer().render();
+    EXPECT_NE(untouched.renderer().read_back(Layer::depth), one_by_one.first);
 }
 
 // By several bands, the last of which is lower than the others.
@@ -165,6 +188,7 @@ TEST_F(Live, EveryStageOfADabIsTimed) {
     ASSERT_TRUE(session.last_dab());
     EXPECT_EQ(session.last_dab()->radius, 0.3f);
     EXPECT_GT(session.times().edit_ms, 0);
+    session.show_edits();
     EXPECT_GT(session.times().upload_ms, 0);
     EXPECT_GT(session.times().bounds_ms, 0);
     session.trace({0, 0, 64, 64});
