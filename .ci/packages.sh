@@ -13,6 +13,7 @@ relievo_build_packages=(
     "openimageio-tools cmd:iconvert"  # named by the CMake files of libopenimageio-dev
     "python3-imath file:Imath/half.h" "libopenmesh-dev file:OpenMesh/Core/System/config.h"
     "nlohmann-json3-dev file:nlohmann/json.hpp" "libcli11-dev file:CLI/CLI.hpp" "libeigen3-dev file:eigen3/Eigen/Core"
+    "libtbb-dev file:oneapi/tbb.h"
 )
 relievo_test_packages=(
     "libgtest-dev file:gtest/gtest.h" "libbenchmark-dev file:benchmark/benchmark.h"

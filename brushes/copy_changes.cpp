@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace relievo {
@@ -76,7 +77,18 @@ void CopyChanges::apply_sums() {
         }
 }
 
+// One copy's, each texel once and in order: most dabs.
+bool CopyChanges::apply_plainly() {
+    const auto not_before = [](const TexelChange& a, const TexelChange& b) {
+        return std::tie(a.y, a.x) >= std::tie(b.y, b.x);
+    };
+    if (lists_.size() != 1 || std::ranges::adjacent_find(*lists_[0], not_before) != lists_[0]->end()) return false;
+    for (const TexelChange& change : *lists_[0]) stroke_.set_change(change.x, change.y, change.to);
+    return true;
+}
+
 void CopyChanges::apply_lists() {
+    if (apply_plainly()) return;
     std::vector<std::size_t> next(lists_.size(), 0);
     std::vector<TexelChange> row;
     const auto by_column = [](const TexelChange& a, const TexelChange& b) { return a.x < b.x; };

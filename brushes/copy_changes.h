@@ -43,6 +43,7 @@ class CopyChanges {
     using SumTile = std::array<Sum, kTileTexels>;
 
     void sum_up(const std::vector<TexelChange>& changes);
+    bool apply_plainly();
     void apply_lists();
     void apply_sums();
 

@@ -61,13 +61,13 @@ class StrokeTiles {
         std::array<float, kTileTexels> change;  // counts
         std::bitset<kTileTexels> clipped;       // pushed beyond 0 or 65535
         TexelRect dirty;                        // map texels written since take_dirty()
-        TexelRect ever_dirty;                   // since the stroke began
+        TexelRect ever_dirty;                   // up to take_dirty(), since the stroke began
     };
 
     // `step`: the map's texels are rounded to multiples of it.
     explicit StrokeTiles(HeightMap& map, int step = 1)
         : map_(map),
-          step_(static_cast<float>(step)),
+          step_(step),
           grid_(map.width(), map.height()),
           tiles_(grid_.count()) {}
 
@@ -114,11 +114,11 @@ class StrokeTiles {
     std::vector<TexelRect> restore();
 
   private:
-    Tile& touch(int x, int y);
+    Tile& touch(std::uint32_t index);
     void write(Tile& tile, std::uint32_t index, int x, int y, std::uint16_t count);
 
     HeightMap& map_;
-    float step_;
+    int step_;
     TileGrid grid_;
     std::vector<std::unique_ptr<Tile>> tiles_;  // null: not touched
     std::vector<std::uint32_t> touched_, dirty_;

@@ -1,6 +1,8 @@
 // See gpu_scene.h.
 #include "renderer/gpu_scene.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +24,8 @@ constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 // Parts of the time that a scene takes, about; and after how many triangles it is told again.
 constexpr double kMapsLoaded = 0.6, kBounded = 0.8, kSorted = 0.83, kHulled = 0.88;
 constexpr std::size_t kTellAfter = 256;
+
+constexpr std::size_t kFacesAtOnce = 8;  // that one core bounds after an edit
 
 int wrapped(double texel, int size, Wrap wrap) {
     if (wrap == Wrap::clamp) return static_cast<int>(std::clamp(texel, 0.0, static_cast<double>(size - 1)));
@@ -214,6 +218,22 @@ void GpuScene::set_colours(std::size_t index, std::shared_ptr<AlbedoImage> image
     objects_.at(index).albedo = std::move(image);
 }
 
+// Bounds that shrank would still be true, but what rays meet must not depend, by a rounding, on what the map was before:
+// picks place dabs, and journals replay them.
+bool GpuScene::bound_anew(Object& object, std::uint32_t face) const {
+    bool moved = micro_.has_value();
+    if (const DisplacementRange fresh = range_of(object, face); fresh != object.ranges[face]) {
+        object.ranges[face] = fresh;
+        moved = true;
+    }
+    if (has_close_bounds(object)) {
+        const CloseBounds fresh = close_bounds(triangle_of(primitives_[object.primitive_of[face]]), surface_of(object));
+        moved = moved || fresh != object.close[face];
+        object.close[face] = fresh;
+    }
+    return moved;
+}
+
 UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span<const TexelRegion> regions) {
     UploadStats stats;
     if (regions.empty()) return stats;
@@ -221,8 +241,14 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     if (object.source) throw std::logic_error("procedural heights are not edited");
     Stopwatch watch;
     upload_texels(object, map, regions);
-    if (object.pyramid)
-        for (const TexelRegion& r : regions) upload_bounds(object, map, object.pyramid->update(map, r));
+    if (object.pyramid) {
+        std::vector<HeightPyramid::Nodes> nodes;
+        for (const TexelRegion& r : regions) {
+            const auto changed = object.pyramid->update(map, r);
+            nodes.insert(nodes.end(), changed.begin(), changed.end());
+        }
+        upload_bounds(object, map, nodes);
+    }
     stats.copy_ms = watch.lap_ms();
 
     object.bounds->move(map.texels);
@@ -235,27 +261,17 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     }
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    for (const std::uint32_t face : faces) {
-        const std::uint32_t i = object.primitive_of[face];
-        if (i == kNone) continue;
-        ++stats.triangles_touched;
-        DisplacementRange& range = object.ranges[face];
-        // Bounds that shrank are still true, but what rays meet must not depend, by a rounding, on what the map was
-        // before: picks place dabs, and journals replay them.
-        bool moved = micro_.has_value();
-        if (const DisplacementRange fresh = range_of(object, face); fresh != range) {
-            range = fresh;
-            moved = true;
-        }
-        if (has_close_bounds(object)) {
-            const CloseBounds fresh = close_bounds(triangle_of(primitives_[i]), surface_of(object));
-            moved = moved || fresh != object.close[face];
-            object.close[face] = fresh;
-        }
-        if (!moved) continue;
-        update_primitive(object, face);
+    std::erase_if(faces, [&](std::uint32_t face) { return object.primitive_of[face] == kNone; });
+    std::vector<char> moved(faces.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces.size(), kFacesAtOnce), [&](const auto& some) {
+        for (std::size_t i = some.begin(); i < some.end(); ++i) moved[i] = bound_anew(object, faces[i]);
+    });
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (!moved[i]) continue;
+        update_primitive(object, faces[i]);
         ++stats.triangles_moved;
     }
+    stats.triangles_touched = static_cast<int>(faces.size());
     stats.bounds_ms = watch.lap_ms();
     if (stats.triangles_moved > 0) {
         tree_.refit(commands_);

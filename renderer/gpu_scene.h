@@ -128,6 +128,7 @@ class GpuScene {
     MapSurface surface_of(const Object& object) const;
     bool has_close_bounds(const Object& object) const;
     void bound_closely(const gpu::Primitive& primitive);
+    bool bound_anew(Object& object, std::uint32_t face) const;  // after an edit; false: as before
     MicroScene::Object micro_object(const Object& object) const;
     void write_primitives(std::span<const SurfaceHull> hulls);  // all of them
     void update_primitive(const Object& object, std::uint32_t face);  // bounds and box, after the range has changed

@@ -1,4 +1,6 @@
 // A scene's maps as images on the device: heights, their bounds, opacity. See gpu_scene.h.
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -9,6 +11,7 @@ namespace relievo {
 namespace {
 
 constexpr int kBand = 512;  // rows that are uploaded at once, so that the staging buffer stays small on large maps
+constexpr int kNodesAtOnce = 128;  // that one core bounds: what it takes to hand them out is little beside it
 constexpr VkImageUsageFlags kTexture = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 
 // Copies rows of one region into staging memory, tightly packed.
@@ -173,9 +176,16 @@ void GpuScene::upload_nodes(const vulkan::Image& image, int first_level, std::ve
     if (staging_.bytes() < count * sizeof(Texel))
         staging_ = vulkan::Buffer(context_, count * sizeof(Texel), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Access::host);
     auto* to = staging_.as<Texel>();
-    for (const HeightPyramid::Nodes& n : changed)
-        for (int y = n.y0; y < n.y1; ++y)
-            for (int x = n.x0; x < n.x1; ++x) *to++ = node_of(n.level, x, y);
+    for (const HeightPyramid::Nodes& n : changed) {
+        const auto width = static_cast<std::ptrdiff_t>(n.x1 - n.x0);
+        tbb::parallel_for(tbb::blocked_range<int>(n.y0, n.y1, std::max(1, kNodesAtOnce / std::max(1, n.x1 - n.x0))),
+                          [&](const tbb::blocked_range<int>& rows) {
+                              Texel* row = to + (rows.begin() - n.y0) * width;
+                              for (int y = rows.begin(); y < rows.end(); ++y)
+                                  for (int x = n.x0; x < n.x1; ++x) *row++ = node_of(n.level, x, y);
+                          });
+        to += (n.y1 - n.y0) * width;
+    }
     commands_.run([&](VkCommandBuffer cmd) {
         image.transition(cmd, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
         vkCmdCopyBufferToImage(cmd, staging_.get(), image.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,

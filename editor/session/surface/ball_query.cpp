@@ -101,6 +101,8 @@ class BallQuery {
     }
 
   private:
+    using Texels = std::vector<SurfaceTexel>::iterator;
+
     void find_runs() {
         std::vector<std::uint32_t> faces;
         s_.tree_.near(centre_, static_cast<float>((static_cast<double>(radius_) + reach_) * 1.00001), faces);
@@ -231,24 +233,33 @@ class BallQuery {
 
     // Evaluates the runs of one row of the map, from run `first` on; returns the next row's first run.
     std::size_t evaluate_row(std::size_t first, std::vector<SurfaceTexel>& out) const {
-        const std::size_t begin = out.size();
+        const auto begin = static_cast<std::ptrdiff_t>(out.size());
         const std::int32_t y = runs_[first].y;
         std::int32_t end_x = -1;
         bool overlap = false;
         std::size_t i = first;
         for (; i < runs_.size() && runs_[i].y == y; ++i) {
-            overlap = overlap || runs_[i].x < end_x;
-            end_x = std::max(end_x, runs_[i].x + runs_[i].count);
-            evaluate(runs_[i], out);
+            const Run& run = runs_[i];
+            const auto own = static_cast<std::ptrdiff_t>(out.size());
+            evaluate(run, out);
+            if (run.x < end_x) {
+                overlap = true;
+                merge_run(out.begin() + begin, out.begin() + own, out.end(), run.x, end_x);
+            }
+            end_x = std::max(end_x, run.x + run.count);
         }
-        if (overlap) {  // a texel centre on a shared edge, or footprints that overlap: the nearest point
-                        // stays
-            const auto row = out.begin() + static_cast<std::ptrdiff_t>(begin);
-            if (!std::is_sorted(row, out.end(), before)) std::stable_sort(row, out.end(), before);
+        if (overlap) {  // a texel centre on a shared edge, or footprints that overlap: the nearest point stays
             const auto same = [](const SurfaceTexel& a, const SurfaceTexel& b) { return a.x == b.x; };
-            out.erase(std::unique(row, out.end(), same), out.end());
+            out.erase(std::unique(out.begin() + begin, out.end(), same), out.end());
         }
         return i;
+    }
+
+    // A row's texels [row, run) in order and those of a run behind them, [run, end): only the columns [x, end_x) are in
+    // both, most often one texel on the edge between two faces.
+    static void merge_run(Texels row, Texels run, Texels end, std::int32_t x, std::int32_t end_x) {
+        const auto left_of = [](const SurfaceTexel& texel, std::int32_t column) { return texel.x < column; };
+        std::inplace_merge(std::lower_bound(row, run, x, left_of), run, std::lower_bound(run, end, end_x, left_of), before);
     }
 
     // In blocks: the points of a block first, in loops that a compiler turns into vector instructions.
