@@ -138,15 +138,21 @@ void Film::write_bindings(VkDevice device, VkDescriptorSet set) const {
     vkUpdateDescriptorSets(device, static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
 }
 
-std::vector<float> Film::beauty(vulkan::Context& context, vulkan::Commands& commands) const {
-    const vulkan::Buffer sums = download(context, commands, accumulation_, 0, accumulation_.bytes()),
-                         counts = download(context, commands, counts_, 0, counts_.bytes());
-    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-    std::vector<float> result(pixels * 4);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const std::uint32_t count = counts.as<std::uint32_t>()[i];
-        for (std::size_t c = 0; c < 4; ++c)
-            result[i * 4 + c] = count == 0 ? 0.0f : sums.as<float>()[i * 4 + c] / static_cast<float>(count);
+std::vector<float> Film::beauty(vulkan::Context& context, vulkan::Commands& commands, const PixelRect& window) const {
+    if (window.x0 >= window.x1 || window.y0 >= window.y1) return {};
+    const auto width = static_cast<std::size_t>(width_), first = static_cast<std::size_t>(window.y0) * width,
+               pixels = static_cast<std::size_t>(window.y1 - window.y0) * width;
+    const vulkan::Buffer
+        sums = download(context, commands, accumulation_, first * sizeof(glm::vec4), pixels * sizeof(glm::vec4)),
+        counts = download(context, commands, counts_, first * sizeof(std::uint32_t), pixels * sizeof(std::uint32_t));
+    std::vector<float> result;
+    result.reserve(pixels * 4);
+    for (std::size_t row = 0; row < pixels; row += width) {
+        for (auto x = static_cast<std::size_t>(window.x0); x < static_cast<std::size_t>(window.x1); ++x) {
+            const std::uint32_t count = counts.as<std::uint32_t>()[row + x];
+            const float* const sum = sums.as<float>() + (row + x) * 4;
+            for (int c = 0; c < 4; ++c) result.push_back(count == 0 ? 0.0f : sum[c] / static_cast<float>(count));
+        }
     }
     return result;
 }

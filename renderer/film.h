@@ -35,7 +35,7 @@ class Film {
 
     void write_bindings(VkDevice device, VkDescriptorSet set) const;
 
-    std::vector<float> beauty(vulkan::Context& context, vulkan::Commands& commands) const;
+    std::vector<float> beauty(vulkan::Context& context, vulkan::Commands& commands, const PixelRect& window) const;
     // From the buffers as last traced: Layer::counts, and any other layer but the beauty.
     std::vector<float> ray_counts(vulkan::Context& context, vulkan::Commands& commands, const PixelRect& window) const;
     std::vector<float> layer(Layer layer, const PixelRect& window) const;

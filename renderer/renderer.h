@@ -163,7 +163,7 @@ class Renderer {
     // Traces the layers of a window alone, in slices as short as a live view needs them; counts only where they are
     // asked for (they forget those of the rest of their rows). Returns milliseconds of wall clock.
     double trace_layers(const PixelRect& window, bool with_counts = false);
-    // A window of a layer (but beauty) as it was last traced; it must have been.
+    // A window of a layer as it was last traced; it must have been. beauty: of the samples so far, where there are any.
     std::vector<float> traced_layer(Layer layer, const PixelRect& window) const;
     // Tone-mapped 8-bit sRGB, 4 channels, row 0 at the top.
     std::vector<std::uint8_t> read_back_display();

@@ -8,7 +8,7 @@ namespace relievo {
 
 std::vector<float> Renderer::read_back(Layer layer) {
     State& s = *state_;
-    if (layer == Layer::beauty) return s.film.beauty(s.context, s.commands);
+    if (layer == Layer::beauty) return traced_layer(layer, s.whole());
     const bool counting = layer == Layer::counts;
     if (counting ? !s.counts_are_fresh : !s.aov_is_fresh) {
         trace_layers(s.whole(), counting);
@@ -46,6 +46,7 @@ double Renderer::trace_layers(const PixelRect& window, bool with_counts) {
 std::vector<float> Renderer::traced_layer(Layer layer, const PixelRect& window) const {
     State& s = *state_;
     const PixelRect w = s.inside(window);
+    if (layer == Layer::beauty) return s.film.beauty(s.context, s.commands, w);
     return layer == Layer::counts ? s.film.ray_counts(s.context, s.commands, w) : s.film.layer(layer, w);
 }
 

@@ -24,14 +24,17 @@ std::vector<AovName> chosen(const std::vector<Layer>& aovs) {
     return names;
 }
 
-// R G B A and the layers' channels, without values yet.
+// R G B A and the layers' channels; the rows are still to come.
 FloatPicture empty_picture(int width, int height, const std::vector<AovName>& layers) {
     FloatPicture picture{width, height, {"R", "G", "B", "A"}, {}};
     for (const AovName& aov : layers)
         picture.channels.insert(picture.channels.end(), aov.channels.begin(), aov.channels.end());
-    picture.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-                          picture.channels.size());
+    picture.values.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * picture.channels.size());
     return picture;
+}
+
+void add_rows_to(FloatPicture& picture, int end) {
+    picture.values.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(end) * picture.channels.size());
 }
 
 // `values`: of so many channels from `channel` on, which is moved behind them, of the pixels of `window`.
@@ -48,18 +51,6 @@ void put(FloatPicture& picture, const PixelRect& window, std::size_t& channel, s
     channel += channels;
 }
 
-// The columns [x0, x1) of whole rows of `values` each.
-template <typename Value>
-std::vector<Value> columns(const std::vector<Value>& values, int width, std::size_t channels, int x0, int x1) {
-    const std::size_t row = static_cast<std::size_t>(width) * channels, from = static_cast<std::size_t>(x0) * channels;
-    std::vector<Value> taken;
-    taken.reserve(values.size());
-    for (std::size_t at = 0; at < values.size(); at += row)
-        taken.insert(taken.end(), values.begin() + static_cast<std::ptrdiff_t>(at + from),
-                     values.begin() + static_cast<std::ptrdiff_t>(at + static_cast<std::size_t>(x1) * channels));
-    return taken;
-}
-
 DisplayPicture display_picture(std::span<const RenderPart> parts) {
     DisplayPicture picture = display_picture(*parts.front().renderer);
     for (const RenderPart& part : parts.subspan(1))
@@ -68,14 +59,15 @@ DisplayPicture display_picture(std::span<const RenderPart> parts) {
 }
 
 // Bands that each take some hundredths of a second.
-void by_bands(std::span<const RenderPart> parts, const std::function<void(int row)>& before_band,
+void by_bands(std::span<const RenderPart> parts, const std::function<void(int begin, int end)>& before_band,
               const std::function<void(Renderer& renderer, const PixelRect& band)>& trace) {
     constexpr int kBandPixels = 1 << 16, kTile = 8;  // rows of the device's work groups
     const int height = parts.front().renderer->height();
     const int rows = std::max(1, kBandPixels / parts.front().renderer->width() / kTile) * kTile;
     for (int y = 0; y < height; y += rows) {
-        before_band(y);
-        for (const RenderPart& part : parts) trace(*part.renderer, {part.x0, y, part.x1, std::min(y + rows, height)});
+        const int end = std::min(y + rows, height);
+        before_band(y, end);
+        for (const RenderPart& part : parts) trace(*part.renderer, {part.x0, y, part.x1, end});
     }
 }
 
@@ -141,6 +133,7 @@ void write_layers(const std::filesystem::path& path, int width, int height, cons
     FloatPicture picture = empty_picture(width, height, layers);
     std::size_t channel = 0;
     const PixelRect whole{0, 0, width, height};
+    add_rows_to(picture, height);
     put(picture, whole, channel, 4, beauty);
     for (const AovName& aov : layers) put(picture, whole, channel, aov.channels.size(), layer(aov.layer));
     write_exr(path, picture);
@@ -149,7 +142,7 @@ void write_layers(const std::filesystem::path& path, int width, int height, cons
 void render_afresh(std::span<const RenderPart> parts, const Advance& advance) {
     for (const RenderPart& part : parts) part.renderer->restart();
     const double height = parts.front().renderer->height();
-    by_bands(parts, [&](int row) { tell(advance, row / height, "Tracing was stopped"); },
+    by_bands(parts, [&](int row, int) { tell(advance, row / height, "Tracing was stopped"); },
              [](Renderer& renderer, const PixelRect& band) { renderer.render(band); });
 }
 
@@ -171,21 +164,21 @@ void write_render(std::span<const RenderPart> parts, const std::filesystem::path
     if (is_png(path)) return write_png(path, display_picture(parts), advance);
     const std::vector<AovName> layers = chosen(aovs);
     FloatPicture picture = empty_picture(width, height, layers);
-    std::size_t channel = 0;
-    for (const RenderPart& part : parts) {
-        channel = 0;
-        put(picture, {part.x0, 0, part.x1, height}, channel, 4,
-            columns(part.renderer->read_back(Layer::beauty), width, 4, part.x0, part.x1));
-    }
-    const double share = layers.empty() ? 0 : 0.5;  // of tracing them
-    if (!layers.empty())
-        by_bands(parts, [&](int row) { tell(advance, share * row / height, stopped); },
-                 [&](Renderer& renderer, const PixelRect& band) {
-                     renderer.trace_layers(band);
-                     std::size_t at = channel;
-                     for (const AovName& aov : layers)
-                         put(picture, band, at, aov.channels.size(), renderer.traced_layer(aov.layer, band));
-                 });
+    const double share = layers.empty() ? 0.1 : 0.5;  // of the time, about
+    // The light, too: even to take so much memory at once can take a second.
+    by_bands(
+        parts,
+        [&](int row, int end) {
+            tell(advance, share * row / height, stopped);
+            add_rows_to(picture, end);
+        },
+        [&](Renderer& renderer, const PixelRect& band) {
+            std::size_t channel = 0;
+            put(picture, band, channel, 4, renderer.traced_layer(Layer::beauty, band));
+            if (!layers.empty()) renderer.trace_layers(band);
+            for (const AovName& aov : layers)
+                put(picture, band, channel, aov.channels.size(), renderer.traced_layer(aov.layer, band));
+        });
     write_exr(path, picture, within(advance, share, 1));
 }
 

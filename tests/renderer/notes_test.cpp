@@ -31,7 +31,9 @@ TEST_P(Notes, LayersTracedWindowByWindowAreThoseOfTheWhole) {
     const Scene scene = make_scene(ball_mesh(), 0.3);
     const TestMap map = bumps(128);
     Renderer whole = make_renderer(scene, map, settings_of(scene)), parts = make_renderer(scene, map, settings_of(scene));
-    for (const Layer layer : {Layer::depth, Layer::normal, Layer::uv, Layer::id, Layer::counts}) {
+    whole.render();
+    parts.render();
+    for (const Layer layer : {Layer::beauty, Layer::depth, Layer::normal, Layer::uv, Layer::id, Layer::counts}) {
         const auto all = whole.read_back(layer);
         const std::size_t channels = all.size() / (96 * 96);
         for (const PixelRect& window : {PixelRect{0, 0, 40, 33}, PixelRect{40, 0, 96, 33}, PixelRect{0, 33, 200, 96}}) {
