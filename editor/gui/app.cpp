@@ -19,6 +19,7 @@
 #include "editor/gui/picture_overlay.h"
 #include "editor/gui/tool_marks.h"
 #include "editor/gui/widgets.h"
+#include "editor/gui/work_pace.h"
 #include "editor/session/derived_scene.h"
 #include "editor/session/image_file.h"
 #include "editor/session/preferences.h"
@@ -35,7 +36,7 @@ constexpr double kTurnMs = 34, kInputMs = 14, kLateInputMs = 26, kLateUs = 50e3,
 constexpr double kRestSeconds = 0.5, kAirbrushSeconds = 0.02;
 constexpr double kUnhurriedMs = 100;  // between frames that show nothing new but numbers
 constexpr double kMemoryMs = 20e3;   // between two times that free memory goes back
-constexpr double kWorkFrameMs = 50;  // between frames of long work
+constexpr double kWorkLookMs = 50;   // between looks of long work at what the user does
 constexpr int kClosingFrames = 2;
 constexpr int kSettleFrames = 3;
 
@@ -315,18 +316,23 @@ void App::do_work() {
     if (!work) return;
     const auto start = Clock::now();
     const double since_us = window_->now_us();
+    WorkPace pace;
+    double look_ms = kUnseenWorkMs;
     std::string trouble;
     try {
         work->run([&](double part) {
-            if (ms_since(start) < kUnseenWorkMs || ms_since(last_drawn_) < kWorkFrameMs) return true;
+            const double now_ms = ms_since(start);
+            if (now_ms < look_ms) return true;
+            look_ms = now_ms + kWorkLookMs;
             if (desk_.view.work) {
-                poll_behind_work();
+                if (!poll_behind_work() && !pace.due(now_ms)) return true;
             } else {
                 window_->poll();  // what was done before the work could be seen is still to come
                 desk_.view.work = WorkShown{work->title};
             }
             desk_.view.work->part = part;
             draw();
+            pace.drawn(now_ms, ms_since(start));
             return !desk_.view.work->stopped;
         });
     } catch (const std::exception& error) {
@@ -344,11 +350,13 @@ void App::do_work() {
     }
 }
 
-// Of what comes while the work covers the rest: that something was let go, and keys, which are for what comes.
-void App::poll_behind_work() {
+// Of what comes while the work covers the rest: that something was let go, and keys, which are for what comes. True where
+// it may be meant for the work, which the next frame tells.
+bool App::poll_behind_work() {
     auto& events = window_->events();
     const auto before = static_cast<std::ptrdiff_t>(events.size());
     window_->poll();
+    const bool may_stop = std::any_of(events.begin() + before, events.end(), may_stop_work);
     events.erase(std::remove_if(events.begin() + before, events.end(),
                                 [](const InputEvent& event) {
                                     const bool key = event.kind == InputEvent::Kind::key;
@@ -356,6 +364,7 @@ void App::poll_behind_work() {
                                     return !meant && event.kind != InputEvent::Kind::release;
                                 }),
                  events.end());
+    return may_stop;
 }
 
 // What is undone can be redone; a step that the undo memory does not hold can be neither.

@@ -45,7 +45,7 @@ class App {
     void tell_screenshots();
     void tell_step_not_held();
     void do_work();
-    void poll_behind_work();
+    bool poll_behind_work();
 
     Window* window_;
     Screen* screen_;

@@ -7,6 +7,10 @@
 
 namespace relievo::gui {
 
+bool may_stop_work(const InputEvent& event) {
+    return event.kind != InputEvent::Kind::move && event.kind != InputEvent::Kind::scroll;
+}
+
 void draw_long_work(std::optional<WorkShown>& work) {
     constexpr const char* kTitle = "Working";
     if (work && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "brushes/advance.h"
+#include "editor/gui/window.h"
 
 namespace relievo::gui {
 
@@ -25,6 +26,9 @@ struct WorkShown {
     std::string text{};    // on the bar; empty: the part
     bool stopped = false;  // the user wants it to end
 };
+
+// Of what the user does: only a frame can tell what it is meant for, and is drawn at once.
+bool may_stop_work(const InputEvent& event);
 
 // Call it every frame, outside of any dialog.
 void draw_long_work(std::optional<WorkShown>& work);

@@ -8,6 +8,7 @@
 #include "editor/gui/long_work.h"
 #include "editor/gui/screen.h"
 #include "editor/gui/window.h"
+#include "editor/gui/work_pace.h"
 #include "renderer/vulkan/context.h"
 
 namespace relievo::gui {
@@ -29,7 +30,9 @@ class WaitScreen {
     vulkan::Context* context_;
     vulkan::ContextOptions options_;
     std::optional<WorkShown> shown_;
-    Clock::time_point next_ = Clock::now() + std::chrono::milliseconds(static_cast<int>(kUnseenWorkMs));
+    Clock::time_point start_ = Clock::now();
+    double look_ms_ = kUnseenWorkMs;  // since the start: when the user is next looked at
+    WorkPace pace_;
     std::optional<vulkan::Context> own_;
     std::optional<Screen> screen_;
 };
