@@ -109,11 +109,12 @@ def a_picture_being_saved_can_be_stopped_and_keeps_its_size(case):
     editor.screenshot()
     case.desktop.do("mousemove", 300, 30)
     picture = os.path.join(case.folder, "picture.exr")
-    sky, beside = (100, 80, 300, 160), (1005, 770, 1040, 830)  # dark behind any dialog; in the one for files alone
+    # Bright without a dialog, and there before anything is traced: a slider. And a place in the dialog for files alone.
+    slider, beside = (2370, 180, 2430, 200), (1005, 770, 1040, 830)
     before = case.desktop.screen()
 
     def is_dark():
-        return difference(before, case.desktop.screen(), sky) > 15
+        return difference(before, case.desktop.screen(), slider) > 15
 
     def save():
         case.desktop.drag([(29, 22)] * 2)
