@@ -80,16 +80,22 @@ def strokes_keep_up(options, folder):
         draw(window.hands, circle((470, 360), 130, 60))  # what is compiled at first use is not the hand's time
         time.sleep(1)
         processes = window.editor.process, window.desktop.server
-        begin, busy, own = time.monotonic(), busy_ms(), used_ms(*processes)
-        sent = draw(window.hands, circle((470, 360), 130, 400))
-        wall = 1000 * (time.monotonic() - begin)
-        foreign = (busy_ms() - busy - (used_ms(*processes) - own)) / wall
-        time.sleep(1)
+        # The host of a virtual machine can take its processors for seconds, and no counter in it tells: then once more.
+        for last in (False, True):
+            begin, busy, own = time.monotonic(), busy_ms(), used_ms(*processes)
+            sent = draw(window.hands, circle((470, 360), 130, 400))
+            wall = 1000 * (time.monotonic() - begin)
+            foreign = (busy_ms() - busy - (used_ms(*processes) - own)) / wall
+            time.sleep(1)
+            with open(log) as file:
+                records = [json.loads(line) for line in file if line.endswith("\n")]
+            try:
+                return judge(records, sent, foreign)
+            except AssertionError:
+                if last:
+                    raise
     finally:
         window.close()
-    with open(log) as file:
-        records = [json.loads(line) for line in file]
-    judge(records, sent, foreign)
 
 
 def judge(records, sent, foreign):
@@ -103,16 +109,16 @@ def judge(records, sent, foreign):
         if times:
             delays.append(dab["at_ms"] - times[-1])
     rate = 1000 * len(gaps) / sum(gaps)
-    delay = statistics.median(delays)
+    few = len(delays) <= len(sent) / 2
+    delay, ninth = (sorted(delays)[len(delays) * part // 10] if delays else math.inf for part in (5, 9))
     share = {key: statistics.median(f[key] for f in frames) for key in ("input_ms", "trace_ms", "cursor_ms", "draw_ms")}
     print(f"{rate:.1f} frames a second, gap median {statistics.median(gaps):.1f} ms, longest {max(gaps):.1f}; "
-          f"{len(delays)} pointer events with dabs, shown after {delay:.1f} ms at the median, "
-          f"{sorted(delays)[len(delays) * 9 // 10]:.1f} at the ninth decile; medians {share}; "
-          f"other programs took {foreign:.2f} cores")
-    assert len(delays) > len(sent) / 2, "too few dabs to judge"
-    if foreign > MOST_FOREIGN_CORES and (rate < 20 or delay > 100):
+          f"{len(delays)} pointer events with dabs, shown after {delay:.1f} ms at the median, {ninth:.1f} at the ninth "
+          f"decile; medians {share}; other programs took {foreign:.2f} cores")
+    if foreign > MOST_FOREIGN_CORES and (few or rate < 20 or delay > 100):
         print("skipped: other programs took the processor")
         sys.exit(SKIPPED)
+    assert not few, "too few dabs to judge"
     assert rate >= 20, f"{rate} frames a second"
     assert delay <= 100, f"a dab is shown after {delay} ms"
 
