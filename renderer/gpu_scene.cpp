@@ -226,22 +226,6 @@ void GpuScene::set_colours(std::size_t index, std::shared_ptr<AlbedoImage> image
     objects_.at(index).albedo = std::move(image);
 }
 
-// Bounds that shrank would still be true, but what rays meet must not depend, by a rounding, on what the map was before:
-// picks place dabs, and journals replay them.
-bool GpuScene::bound_anew(Object& object, std::uint32_t face) const {
-    bool moved = micro_.has_value();
-    if (const DisplacementRange fresh = range_of(object, face); fresh != object.ranges[face]) {
-        object.ranges[face] = fresh;
-        moved = true;
-    }
-    if (has_close_bounds(object)) {
-        const CloseBounds fresh = close_bounds(triangle_of(primitives_[object.primitive_of[face]]), surface_of(object));
-        moved = moved || fresh != object.close[face];
-        object.close[face] = fresh;
-    }
-    return moved;
-}
-
 UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span<const TexelRegion> regions) {
     UploadStats stats;
     if (regions.empty()) return stats;

@@ -67,6 +67,22 @@ void GpuScene::bound_closely(const gpu::Primitive& p) {
     if (has_close_bounds(object)) object.close[p.face] = close_bounds(triangle_of(p), surface_of(object));
 }
 
+// Bounds that shrank would still be true, but what rays meet must not depend, by a rounding, on what the map was before:
+// picks place dabs, and journals replay them.
+bool GpuScene::bound_anew(Object& object, std::uint32_t face) const {
+    bool moved = micro_.has_value();
+    if (const DisplacementRange fresh = range_of(object, face); fresh != object.ranges[face]) {
+        object.ranges[face] = fresh;
+        moved = true;
+    }
+    if (has_close_bounds(object)) {
+        const CloseBounds fresh = close_bounds(triangle_of(primitives_[object.primitive_of[face]]), surface_of(object));
+        moved = moved || fresh != object.close[face];
+        object.close[face] = fresh;
+    }
+    return moved;
+}
+
 void GpuScene::write_primitives(std::span<const SurfaceHull> hulls) {
     std::vector<gpu::Primitive> slanted;
     if (hits_ == HitPlace::on_surface) {
