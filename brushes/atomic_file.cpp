@@ -46,12 +46,12 @@ class RemoveOnFailure {
     bool done_ = false;
 };
 
-[[noreturn]] void fail(const fs::path& path, const std::string& what) {
+[[noreturn]] void fail_write(const fs::path& path, const std::string& what) {
     throw std::invalid_argument("cannot write '" + path.string() + "': " + what);
 }
 
 [[noreturn]] void fail_errno(const fs::path& path, int error) {
-    fail(path, std::generic_category().message(error));
+    fail_write(path, std::generic_category().message(error));
 }
 
 // Where a link leads, existing or not; links are followed as often as the system would.
@@ -141,8 +141,8 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> cont
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     struct stat old {};
     const bool replaces = ::stat(target.c_str(), &old) == 0;
-    if (replaces && S_ISDIR(old.st_mode)) fail(path, "it is a folder; a file name is needed");
-    if (replaces && !S_ISREG(old.st_mode)) fail(path, "it is no regular file");
+    if (replaces && S_ISDIR(old.st_mode)) fail_write(path, "it is a folder; a file name is needed");
+    if (replaces && !S_ISREG(old.st_mode)) fail_write(path, "it is no regular file");
     if (replaces && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail_errno(path, errno);
 
     const mode_t mask = ::umask(0);

@@ -14,8 +14,6 @@
 
 namespace relievo {
 
-inline constexpr float kTop = 65535.0f;  // counts
-
 struct Work {
     const Brush& brush;
     const DabPlace& place;

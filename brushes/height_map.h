@@ -7,6 +7,8 @@
 
 namespace relievo {
 
+inline constexpr float kTop = 65535.0f;  // the highest count
+
 class HeightMap {
   public:
     static constexpr int kMaxSize = 16384;  // texels a side

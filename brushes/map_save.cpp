@@ -14,7 +14,7 @@ namespace relievo {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void fail(const fs::path& path, const std::string& what) {
+[[noreturn]] void fail_map(const fs::path& path, const std::string& what) {
     throw std::invalid_argument("cannot write map '" + path.string() + "': " + what);
 }
 
@@ -134,7 +134,7 @@ MapFormat format_of(const fs::path& path) {
 
 void save_map(const HeightMap& map, const fs::path& path, MapFormat format, MapRange range,
               const MapOrigin* origin, const Advance& advance) {
-    if (!(range.low < range.high)) fail(path, "the range's low must be below its high");
+    if (!(range.low < range.high)) fail_map(path, "the range's low must be below its high");
     const bool same_layout = origin && origin->format == format && origin->spec.width == map.width() &&
                              origin->spec.height == map.height();
     const OIIO::ImageSpec spec = spec_for(map, format, origin, same_layout);

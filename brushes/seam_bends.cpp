@@ -8,7 +8,7 @@
 namespace relievo {
 namespace {
 
-constexpr int kTop = 65535;
+constexpr int kHighest = static_cast<int>(kTop);
 
 // The two maps that gutters are set in, by texel index.
 struct InStroke {
@@ -51,7 +51,7 @@ int shift_of(const SeamBend& bend, const Map& map) {
         sum += std::int64_t{bend.bend[k]} * (ahead - behind);
     }
     const std::int64_t lowest = std::max(low - high, -std::min(inside[0], inside[1]));
-    const std::int64_t highest = std::min(high - low, kTop - std::max(inside[0], inside[1]));
+    const std::int64_t highest = std::min(high - low, kHighest - std::max(inside[0], inside[1]));
     return static_cast<int>(std::clamp(rounded_quotient(sum, SeamBend::kOne), lowest, highest));
 }
 
@@ -114,7 +114,7 @@ void SeamBends::set_corner(const SeamCorner& corner, Map& map) const {
     // gutters.
     const std::int64_t g = std::clamp<std::int64_t>(rounded_quotient(4 * mean, weights) - others,
                                                     -*std::min_element(shift, shift + 3),
-                                                    kTop - *std::max_element(shift, shift + 3));
+                                                    kHighest - *std::max_element(shift, shift + 3));
     for (int k = 0; k < 3; ++k) map.set(corner.gutter[k], static_cast<int>(g) + shift[k]);
 }
 

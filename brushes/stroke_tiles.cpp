@@ -6,12 +6,6 @@
 #include <utility>
 
 namespace relievo {
-namespace {
-
-constexpr float kTop = 65535.0f;
-
-}  // namespace
-
 void copy_counts(const HeightMap& map, const TexelRect& tile, TileCounts& counts) {
     for (int row = tile.y0; row < tile.y1; ++row)
         std::copy_n(map.texels().begin() + static_cast<std::ptrdiff_t>(map.index(tile.x0, row)), tile.width(),

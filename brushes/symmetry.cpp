@@ -12,8 +12,8 @@ constexpr double kSame = 1e-6;
 
 // Rounding in the product of transforms must not move a mirror plane: entries as good as whole are whole.
 double cleaned(double value) {
-    constexpr double kRounding = 1e-12;
-    return std::abs(value - std::round(value)) < kRounding ? std::round(value) : value;
+    constexpr double kWhole = 1e-12;
+    return std::abs(value - std::round(value)) < kWhole ? std::round(value) : value;
 }
 
 glm::dmat4 turn_about(Axis axis, double angle) {

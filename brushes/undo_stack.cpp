@@ -65,7 +65,7 @@ void UndoStack::push(const HeightMap& before, const HeightMap& map, Layer layer,
     Step step;
     const TileGrid grid(map.width(), map.height());
     for (std::uint32_t tile = 0; tile < grid.count(); ++tile) {
-        if (tile % kTiles == 0) tell(advance, tile / double{grid.count()}, "Stopped: all is as it was");
+        if (tile % kTiles == 0) tell(advance, tile / static_cast<double>(grid.count()), "Stopped: all is as it was");
         const TexelRect texels = grid.texels_of(tile);
         add_patch(step, layer, texels, map, rows_of(before, texels));
     }

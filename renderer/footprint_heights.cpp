@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include "renderer/scene/cross2.h"
+
 namespace relievo {
 namespace {
 
@@ -110,7 +112,7 @@ class Sampler {
     void add_sides() {
         const auto& t = footprint_.corners;
         const glm::dvec2 a = t[1] - t[0], b = t[2] - t[0];
-        const double turn = a.x * b.y - a.y * b.x < 0 ? -1 : 1, by = FootprintHeights::kPlaces;
+        const double turn = cross2(a, b) < 0 ? -1 : 1, by = FootprintHeights::kPlaces;
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec2 &from = t[i], &to = t[(i + 1) % 3], out = turn * glm::dvec2(to.y - from.y, from.x - to.x);
             const glm::dvec2 moved(out.x < 0 ? -by : by, out.y < 0 ? -by : by);
@@ -193,7 +195,7 @@ std::optional<FootprintHeights> footprint_heights(const HeightView& map, const H
 
 MapLinear linear_through(const std::array<double, 3>& values, const std::array<glm::dvec2, 3>& corners) {
     const glm::dvec2 a = corners[1] - corners[0], b = corners[2] - corners[0];
-    const double area = a.x * b.y - a.y * b.x, v1 = values[1] - values[0], v2 = values[2] - values[0];
+    const double area = cross2(a, b), v1 = values[1] - values[0], v2 = values[2] - values[0];
     MapLinear f;
     f.rise_x = (v1 * b.y - v2 * a.y) / area;
     f.rise_y = (v2 * a.x - v1 * b.x) / area;

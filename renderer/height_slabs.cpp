@@ -67,15 +67,15 @@ Parts parts_of(const AxisOfNode& axis, int level) {
 
 // Least and greatest height over the plane, times 2^level. Most are found in floats, which hold whole numbers up to
 // 2^24: every x86-64 has instructions for their minima and maxima, not for integers'.
-struct Span {
+struct WholeSpan {
     int low, high;
 };
 
-Span over_texels(const HeightView& map, int level, const Parts& columns, const Parts& rows, int rise_x, int rise_y) {
+WholeSpan over_texels(const HeightView& map, int level, const Parts& columns, const Parts& rows, int rise_x, int rise_y) {
     std::array<int, kMostParts> across;
     for (std::size_t k = 0; k < static_cast<std::size_t>(columns.count); ++k) across[k] = rise_x * columns.from[k];
     std::array<std::uint16_t, kMostParts> gathered;
-    Span span{1 << 30, -(1 << 30)};
+    WholeSpan span{1 << 30, -(1 << 30)};
     for (std::size_t r = 0; r < static_cast<std::size_t>(rows.count); ++r) {
         const std::uint16_t* row = map.texels + static_cast<std::size_t>(rows.at[r]) * static_cast<std::size_t>(map.width);
         if (columns.in_a_row) {
@@ -100,7 +100,7 @@ Span over_texels(const HeightView& map, int level, const Parts& columns, const P
 
 // The same of a node inside the map, where all of an edit's lie but few: 2^(level + 1) + 1 texels a side, in a row.
 template <int kLevel>
-Span over_square(const std::uint16_t* row, std::size_t stride, int rise_x, int rise_y) {
+WholeSpan over_square(const std::uint16_t* row, std::size_t stride, int rise_x, int rise_y) {
     constexpr int kHalf = 1 << kLevel, kSide = 2 * kHalf + 1;
     std::array<float, kSide> low, high, across;
     low.fill(1e9f);
@@ -121,7 +121,7 @@ Span over_square(const std::uint16_t* row, std::size_t stride, int rise_x, int r
 }
 
 // The same of nodes, which hold their heights anywhere over their texels.
-Span over_nodes(const HeightPyramid& pyramid, int level, const Parts& columns, const Parts& rows, int rise_x, int rise_y) {
+WholeSpan over_nodes(const HeightPyramid& pyramid, int level, const Parts& columns, const Parts& rows, int rise_x, int rise_y) {
     const auto count = static_cast<std::size_t>(columns.count);
     std::array<float, kMostParts> least, greatest, low, high;  // of the plane over each column; then of heights over it
     for (std::size_t k = 0; k < count; ++k) {
@@ -147,12 +147,12 @@ Span over_nodes(const HeightPyramid& pyramid, int level, const Parts& columns, c
         }
     }
     const auto end = static_cast<std::ptrdiff_t>(count);
-    constexpr int kRounding = 2;  // of two differences below 2^25
-    return {static_cast<int>(*std::min_element(low.begin(), low.begin() + end)) - kRounding,
-            static_cast<int>(*std::max_element(high.begin(), high.begin() + end)) + kRounding};
+    constexpr int kDifferencesRounding = 2;  // of two differences below 2^25
+    return {static_cast<int>(*std::min_element(low.begin(), low.begin() + end)) - kDifferencesRounding,
+            static_cast<int>(*std::max_element(high.begin(), high.begin() + end)) + kDifferencesRounding};
 }
 
-Span span_over_plane(const HeightView& map, const HeightPyramid& pyramid, int level, const AxisOfNode& x,
+WholeSpan span_over_plane(const HeightView& map, const HeightPyramid& pyramid, int level, const AxisOfNode& x,
                      const AxisOfNode& y, int rise_x, int rise_y) {
     if (level <= kPartLevels && x.node + 2 < x.nodes && y.node + 2 < y.nodes) {
         const auto stride = static_cast<std::size_t>(map.width);
@@ -191,7 +191,7 @@ PackedSlab height_slab(const HeightView& map, const HeightPyramid& pyramid, int 
     const int h00 = at(u0, v0), h10 = at(u1, v0), h01 = at(u0, v1), h11 = at(u1, v1);
     const int rise_x = may_tilt(x) ? (h10 - h00 + h11 - h01) / 4 : 0;
     const int rise_y = may_tilt(y) ? (h01 - h00 + h11 - h10) / 4 : 0;
-    const Span over = span_over_plane(map, pyramid, level, x, y, rise_x, rise_y);
+    const WholeSpan over = span_over_plane(map, pyramid, level, x, y, rise_x, rise_y);
     const int low = over.low >> level, high = -(-over.high >> level);  // outward
     if (low < 0 || high > 65535 || 4 * (high - low) > 3 * range) return flat;
     return {packed(low), packed(high), static_cast<std::int16_t>(rise_x), static_cast<std::int16_t>(rise_y)};

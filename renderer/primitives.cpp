@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "renderer/scene/cross2.h"
+
 namespace relievo {
 namespace {
 
@@ -58,8 +60,7 @@ glm::vec2 lateral(const dvec3& normal, const dvec3& tangent, const dvec3& bitang
 double offset_area(const gpu::Primitive& p, double w) {
     const dvec2 q0 = dvec2(p.shift0) * w, q1 = dvec2(p.q1x, 0) + dvec2(p.shift1) * w,
                 q2 = dvec2(p.q2) + dvec2(p.shift2) * w;
-    const dvec2 a = q1 - q0, b = q2 - q0;
-    return a.x * b.y - a.y * b.x;
+    return cross2(q1 - q0, q2 - q0);
 }
 
 // The least of it over the primitive's heights: a quadratic in w, so at an end or at the vertex.

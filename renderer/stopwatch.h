@@ -1,4 +1,4 @@
-// Wall-clock milliseconds between laps.
+// Wall-clock milliseconds: between laps, and since a moment.
 #pragma once
 
 #include <chrono>
@@ -17,5 +17,9 @@ class Stopwatch {
   private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+inline double ms_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
 
 }  // namespace relievo

@@ -10,15 +10,15 @@
 namespace relievo::assets {
 namespace {
 
-constexpr Tube kTube{24, 80, 2, 5, 6};
-constexpr double kCore = 0.8, kRadius = 0.27;          // world units
+constexpr Tube kFurTube{24, 80, 2, 5, 6};
+constexpr double kFurCore = 0.8, kFurRadius = 0.27;          // world units
 constexpr double kCellAcross = 3.2, kCellAlong = 7.0;  // texels: one hair in each cell
 constexpr std::uint32_t kSeed = 401;
 
 TubeFrame torus_frame(double along) {
     const double angle = 2.0 * kPi * along;
     const glm::dvec3 out{cosine(angle), 0.0, sine(angle)};
-    return {kCore * out, out, {0.0, 1.0, 0.0}};
+    return {kFurCore * out, out, {0.0, 1.0, 0.0}};
 }
 
 // The grid of hairs over the whole torus, in texels of the map; it closes around both ways.
@@ -27,8 +27,8 @@ struct Hairs {
     int across, along;     // cells
 
     explicit Hairs(double pitch)
-        : width(kTube.around * kTube.cell_w / pitch),
-          length(kTube.along * kTube.cell_h / pitch),
+        : width(kFurTube.around * kFurTube.cell_w / pitch),
+          length(kFurTube.along * kFurTube.cell_h / pitch),
           across(std::max(1, static_cast<int>(width / kCellAcross))),
           along(std::max(1, static_cast<int>(length / kCellAlong))) {}
 
@@ -61,7 +61,7 @@ struct Hairs {
 double fur_height(const Sample& p) {
     const Hairs hairs(p.pitch);
     const double x = p.x / p.pitch;
-    const double y = (kTube.first_row(p.island) * kTube.cell_h + p.y) / p.pitch;
+    const double y = (kFurTube.first_row(p.island) * kFurTube.cell_h + p.y) / p.pitch;
     const int cell_x = static_cast<int>(std::floor(x / hairs.width * hairs.across));
     const int cell_y = static_cast<int>(std::floor(y / hairs.length * hairs.along));
     double best = 0.0;
@@ -76,7 +76,7 @@ double fur_height(const Sample& p) {
 }  // namespace
 
 Sculpture make_fur() {
-    return {make_tube(kTube, kRadius, torus_frame), fur_height};
+    return {make_tube(kFurTube, kFurRadius, torus_frame), fur_height};
 }
 
 }  // namespace relievo::assets

@@ -11,15 +11,15 @@
 namespace relievo::assets {
 namespace {
 
-constexpr Tube kTube{39, 286, 3, 2, 2};
-constexpr double kRadius = 0.235;
-constexpr double kCore = 0.82, kSwing = 0.4;  // of the torus that the knot winds around, world units
+constexpr Tube kKnotTube{39, 286, 3, 2, 2};
+constexpr double kKnotRadius = 0.235;
+constexpr double kKnotCore = 0.82, kSwing = 0.4;  // of the torus that the knot winds around, world units
 constexpr int kScalesAlong = 168,
               kScalesAround = 12;  // the first even: every other row is shifted by half a scale
 
 glm::dvec3 knot_point(double turn) {
     const double around = 4.0 * kPi * turn, swing = 6.0 * kPi * turn;
-    const double r = kCore + kSwing * cosine(swing);
+    const double r = kKnotCore + kSwing * cosine(swing);
     return {r * cosine(around), r * sine(around), kSwing * sine(swing)};
 }
 
@@ -87,12 +87,12 @@ double scaly_height(double along, double around, glm::dvec3 point) {
 }  // namespace
 
 Sculpture make_knot() {
-    const std::vector<double> turns = even_turns(kTube.along);
+    const std::vector<double> turns = even_turns(kKnotTube.along);
     const auto row_frame = [&](double along) {
-        return knot_frame(turns[static_cast<std::size_t>(std::floor(along * kTube.along + 0.5))]);
+        return knot_frame(turns[static_cast<std::size_t>(std::floor(along * kKnotTube.along + 0.5))]);
     };
-    return {make_tube(kTube, kRadius, row_frame), [](const Sample& p) {
-                const double along = kTube.along01(p), around = kTube.around01(p);
+    return {make_tube(kKnotTube, kKnotRadius, row_frame), [](const Sample& p) {
+                const double along = kKnotTube.along01(p), around = kKnotTube.around01(p);
                 const double a = 2.0 * kPi * along, b = 2.0 * kPi * around;
                 const glm::dvec3 point{cosine(a) * (2.0 + 0.3 * cosine(b)), sine(a) * (2.0 + 0.3 * cosine(b)),
                                        0.3 * sine(b)};

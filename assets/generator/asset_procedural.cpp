@@ -6,8 +6,8 @@
 namespace relievo::assets {
 namespace {
 
-constexpr int kAround = 32, kAlong = 16;  // a globe's columns and rows; triangles at the poles
-constexpr int kCell = kLattice / kAround;
+constexpr int kGlobeAround = 32, kGlobeAlong = 16;  // a globe's columns and rows; triangles at the poles
+constexpr int kGlobeCell = kLattice / kGlobeAround;
 
 }  // namespace
 
@@ -19,24 +19,24 @@ Sculpture make_procedural_plane() {
 Sculpture make_procedural_sphere() {
     Shape shape;
     const auto add = [&](int column, int row) {
-        const double turn = 2.0 * kPi * column / kAround, rise = kPi * row / kAlong;
+        const double turn = 2.0 * kPi * column / kGlobeAround, rise = kPi * row / kGlobeAlong;
         shape.positions.push_back({-sine(rise) * sine(turn), -cosine(rise), -sine(rise) * cosine(turn)});
     };
-    for (int row = 1; row < kAlong; ++row)
-        for (int column = 0; column < kAround; ++column) add(column, row);
+    for (int row = 1; row < kGlobeAlong; ++row)
+        for (int column = 0; column < kGlobeAround; ++column) add(column, row);
     add(0, 0);
-    add(0, kAlong);
+    add(0, kGlobeAlong);
     const auto vertex = [](int column, int row) {
-        return static_cast<std::uint32_t>(row * kAround + column % kAround);
+        return static_cast<std::uint32_t>(row * kGlobeAround + column % kGlobeAround);
     };
-    shape.add_island({kAround, kAlong - 2, 0, kCell, kCell, kCell}, vertex);
-    const std::uint32_t south = vertex(0, kAlong - 1), north = south + 1;
-    for (int column = 0; column < kAround; ++column) {
-        const double u = column * kCell, top = (kAlong - 1) * kCell;
+    shape.add_island({kGlobeAround, kGlobeAlong - 2, 0, kGlobeCell, kGlobeCell, kGlobeCell}, vertex);
+    const std::uint32_t south = vertex(0, kGlobeAlong - 1), north = south + 1;
+    for (int column = 0; column < kGlobeAround; ++column) {
+        const double u = column * kGlobeCell, top = (kGlobeAlong - 1) * kGlobeCell;
         shape.free_triangles.push_back({{south, vertex(column + 1, 0), vertex(column, 0)},
-                                        {{{u + 0.5 * kCell, 0}, {u + kCell, kCell}, {u, kCell}}}});
-        shape.free_triangles.push_back({{vertex(column, kAlong - 2), vertex(column + 1, kAlong - 2), north},
-                                        {{{u, top}, {u + kCell, top}, {u + 0.5 * kCell, top + kCell}}}});
+                                        {{{u + 0.5 * kGlobeCell, 0}, {u + kGlobeCell, kGlobeCell}, {u, kGlobeCell}}}});
+        shape.free_triangles.push_back({{vertex(column, kGlobeAlong - 2), vertex(column + 1, kGlobeAlong - 2), north},
+                                        {{{u, top}, {u + kGlobeCell, top}, {u + 0.5 * kGlobeCell, top + kGlobeCell}}}});
     }
     shape.normals = shape.positions;
     return {shape, {}};

@@ -23,6 +23,7 @@
 #include "editor/session/derived_scene.h"
 #include "editor/session/image_file.h"
 #include "editor/session/preferences.h"
+#include "renderer/stopwatch.h"
 #include "renderer/vulkan/programs.h"
 
 namespace relievo::gui {
@@ -39,10 +40,6 @@ constexpr double kMemoryMs = 20e3;   // between two times that free memory goes 
 constexpr double kWorkLookMs = 50;   // between looks of long work at what the user does
 constexpr int kClosingFrames = 2;
 constexpr int kSettleFrames = 3;
-
-double ms_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 template <typename Work>
 void timed(double& ms, Work work) {

@@ -21,7 +21,7 @@ std::uint8_t byte(double value) {
 }
 
 Rgb between(const Colours& colours, double share) {
-    const double place = share * (colours.size() - 1);
+    const double place = share * static_cast<double>(colours.size() - 1);
     const auto first = std::min(static_cast<std::size_t>(place), colours.size() - 2);
     const double f = place - static_cast<double>(first);
     const glm::dvec3 c = colours[first] * (1 - f) + colours[first + 1] * f;

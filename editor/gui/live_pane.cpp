@@ -9,6 +9,7 @@
 
 #include "editor/session/replay.h"
 #include "editor/session/view_window.h"
+#include "renderer/stopwatch.h"
 
 namespace relievo::gui {
 namespace {
@@ -21,10 +22,6 @@ constexpr int kFirstShown = 4;
 constexpr double kShownAtLatestMs = 3000;
 constexpr std::size_t kPassesKept = 9;
 constexpr double kNotWhole = -1e18;  // pixels of a pass that has lost some of them
-
-double ms_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 double pixels(const PixelRect& r) {
     return static_cast<double>(r.x1 - r.x0) * static_cast<double>(r.y1 - r.y0);

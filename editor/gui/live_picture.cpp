@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "editor/gui/map_value.h"
+#include "renderer/stopwatch.h"
 
 namespace relievo::gui {
 namespace {
@@ -17,10 +18,6 @@ constexpr double kLeastError = 1e-7, kMostError = 1;
 constexpr double kCostRank = 0.98;  // of the pixels: a few rays cost ten times the rest
 constexpr double kLeastShare = 0.05;
 constexpr double kSumUpMs = 700, kSumUpPixels = 3e5;
-
-double ms_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 

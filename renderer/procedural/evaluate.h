@@ -61,3 +61,9 @@ using vec3 = glm::vec3;
 using vec4 = glm::vec4;
 #include "renderer/procedural/evaluate_body.h"
 }  // namespace relievo::procedural_float
+
+// Headers that follow name template parameters so.
+#undef RELIEVO_MACROS_GLSL
+#undef OUT
+#undef INOUT
+#undef FUNC

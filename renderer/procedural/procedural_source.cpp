@@ -10,6 +10,7 @@
 
 #include "renderer/procedural/evaluate.h"
 #include "renderer/procedural/gaussian.h"
+#include "renderer/scene/cross2.h"
 
 namespace relievo {
 namespace {
@@ -172,7 +173,7 @@ bool ProceduralSource::thin_over_lattice(const std::array<dvec2, 3>& uv) const {
     const std::array<dvec2, 3> t = texels_at(uv);
     const auto edge = [&](const dvec2& texels) { return across * texels.x + up * texels.y; };
     const dvec2 a = edge(t[1] - t[0]), b = edge(t[2] - t[0]);
-    const double area = std::abs(a.x * b.y - a.y * b.x),
+    const double area = std::abs(cross2(a, b)),
                  longest = std::max({glm::length(a), glm::length(b), glm::length(b - a)});
     return !(area >= kLeastWidth * longest && area * kMostAspect >= longest * longest && longest > 0);
 }

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "renderer/scene/cross2.h"
+
 namespace relievo::reference {
 namespace {
 
@@ -19,9 +21,6 @@ constexpr double kTexelRounding = 4 * std::numeric_limits<double>::epsilon();
 constexpr double kSmallestPart = 1e-15;
 constexpr int kMostNewtonSteps = 16;
 
-double cross2(const dvec2& a, const dvec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
 double largest(const dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }

@@ -9,15 +9,13 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "renderer/scene/cross2.h"
+
 namespace relievo::reference {
 namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-
-double cross2(const dvec2& a, const dvec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 dvec2 nearest_on_segment(const dvec2& a, const dvec2& b) {
     const dvec2 e = b - a;

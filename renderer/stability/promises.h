@@ -16,7 +16,7 @@ namespace relievo::stability {
 // no more steps than it states, every answer within a time.
 struct Promise {
     std::string_view method;
-    std::map<std::string, double> parameters;  // that it is run with; the rest are the registry's defaults
+    std::map<std::string, double> parameters{};  // that it is run with; the rest are the registry's defaults
     bool right = false;                        // on every case that float can represent (right_failures)
     bool near = false;                         // on the same cases (near_failures)
     bool may_refuse = false;                   // in words, what would take too much memory

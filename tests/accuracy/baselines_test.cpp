@@ -9,7 +9,7 @@
 #include "renderer/vulkan/context.h"
 #include "tests/accuracy/method_images.h"
 
-namespace relievo::test {
+namespace relievo::test::baselines_test {
 namespace {
 
 constexpr int kSize = 96;
@@ -47,7 +47,9 @@ TEST(Baselines, TessellationNearsTheSurfaceAsItsDensityGrows) {
     const auto errors = compared("tessellated", "density", {0.25, 0.5, 1, 2});
     for (std::size_t i = 0; i < errors.size(); ++i) {
         EXPECT_EQ(errors[i].missed, 0) << "a gap between micro-triangles";
-        if (i > 0) EXPECT_LT(errors[i].depth.median, 0.6 * errors[i - 1].depth.median);
+        if (i > 0) {
+            EXPECT_LT(errors[i].depth.median, 0.6 * errors[i - 1].depth.median);
+        }
     }
     EXPECT_LT(errors.back().depth.median, 1e-3);
 }
@@ -80,4 +82,4 @@ TEST(Baselines, TooManyMicroTrianglesAreRefusedAndAllStaysAsItWas) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::baselines_test

@@ -11,7 +11,7 @@
 #include "renderer/stability/promises.h"
 #include "tests/accuracy/method_images.h"
 
-namespace relievo::test {
+namespace relievo::test::sample_scenes_test {
 namespace {
 
 constexpr int kSize = 128;
@@ -61,4 +61,4 @@ INSTANTIATE_TEST_SUITE_P(All, SampleScenes,
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::sample_scenes_test

@@ -16,7 +16,7 @@
 
 #include "tests/assets/obj_file.h"
 
-namespace relievo::assets_test {
+namespace relievo::assets_test::sample_assets_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -323,4 +323,4 @@ TEST(SampleAssets, bad_usage_ends_with_status_2) {
 }
 
 }  // namespace
-}  // namespace relievo::assets_test
+}  // namespace relievo::assets_test::sample_assets_test

@@ -7,7 +7,7 @@
 
 #include "image_files.h"
 
-namespace relievo {
+namespace relievo::alpha_test {
 namespace {
 
 TEST(Alpha, refuses_bad_sizes_and_values_by_pixel) {
@@ -118,4 +118,4 @@ TEST(AlphaFile, what_cannot_be_stamped_is_refused_with_file_and_reason) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::alpha_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace relievo {
+namespace relievo::cell_table_test {
 namespace {
 
 using Place = std::array<std::int64_t, 3>;
@@ -60,4 +60,4 @@ TEST(CellTable, many_cells_of_one_item_each) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::cell_table_test

@@ -6,7 +6,7 @@
 
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::clone_test {
 namespace {
 
 constexpr float kAmplitude = 0.2f;
@@ -178,4 +178,4 @@ TEST(Clone, needs_a_source_for_every_dab_and_no_other_tool_takes_one) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::clone_test

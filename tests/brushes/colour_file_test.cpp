@@ -6,7 +6,7 @@
 
 #include "image_files.h"
 
-namespace relievo {
+namespace relievo::colour_file_test {
 namespace {
 
 ColourMap ramp(int width, int height, int bits) {
@@ -122,4 +122,4 @@ TEST(ColourFile, failing_to_save_leaves_the_old_file) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::colour_file_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-namespace relievo {
+namespace relievo::copy_changes_test {
 namespace {
 
 using Lists = std::vector<std::vector<TexelChange>>;
@@ -82,4 +82,4 @@ TEST(CopyChanges, nothing_wanted_writes_nothing) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::copy_changes_test

@@ -5,7 +5,7 @@
 
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::dab_cost_test {
 namespace {
 
 TEST(DabCost, CountsTexelsAndCopiesAndResampling) {
@@ -35,4 +35,4 @@ TEST(DabCost, CountsTexelsAndCopiesAndResampling) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::dab_cost_test

@@ -8,7 +8,7 @@
 
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::erase_test {
 namespace {
 
 Brush eraser(float radius, float strength = 1.0f) {
@@ -157,4 +157,4 @@ TEST(EraseToSaved, marking_during_a_stroke_is_refused) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::erase_test

@@ -13,7 +13,7 @@
 #include "brushes/dab_tools.h"
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::falloff_curve_test {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
@@ -159,4 +159,4 @@ TEST(FalloffCurve, a_stroke_has_its_profile_with_hardness) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::falloff_curve_test

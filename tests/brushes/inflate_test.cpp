@@ -8,7 +8,7 @@
 
 #include "relief_plane.h"
 
-namespace relievo {
+namespace relievo::inflate_test {
 namespace {
 
 TEST(Inflate, flat_ground_rises_as_drawn_and_slopes_rise_more) {
@@ -88,4 +88,4 @@ TEST(Inflate, a_cut_between_islands_turned_apart_does_not_show) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::inflate_test

@@ -14,7 +14,7 @@
 #include "chart_surface.h"
 #include "image_files.h"
 
-namespace relievo {
+namespace relievo::map_damage_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -264,4 +264,4 @@ TEST(FailedSave, read_only_file_and_folder_are_respected) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::map_damage_test

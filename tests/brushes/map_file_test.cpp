@@ -12,7 +12,7 @@
 #include "chart_surface.h"
 #include "image_files.h"
 
-namespace relievo {
+namespace relievo::map_file_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -336,4 +336,4 @@ TEST(MapFile, extensions_name_formats) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::map_file_test

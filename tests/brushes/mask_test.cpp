@@ -10,7 +10,7 @@
 #include "brushes/seams.h"
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::mask_test {
 namespace {
 
 struct Plane {
@@ -23,7 +23,7 @@ struct Plane {
     Sculptor sculptor;
 };
 
-Brush brush_of(Tool tool, float radius = 0.2f, float strength = 1.0f) {
+Brush masking_brush(Tool tool, float radius = 0.2f, float strength = 1.0f) {
     Brush brush;
     brush.tool = tool;
     brush.radius = radius;
@@ -33,7 +33,7 @@ Brush brush_of(Tool tool, float radius = 0.2f, float strength = 1.0f) {
 }
 
 void use(Plane& plane, Tool tool) {
-    const Brush brush = brush_of(tool, 0.3f);
+    const Brush brush = masking_brush(tool, 0.3f);
     plane.sculptor.begin(brush, sloping_alpha());
     for (int i = 0; i <= 10; ++i) {
         const glm::dvec2 at(0.3 + (tool == Tool::grab ? 0 : 0.04 * i), 0.5);
@@ -48,7 +48,7 @@ TEST(Mask, protects_its_texels_from_every_tool_and_others_change) {
     for (const ToolInfo& info : tools()) {
         if (info.tool == Tool::mask) continue;
         Plane plane;
-        tap(plane.sculptor, plane.surface, brush_of(Tool::mask), {0.5, 0.5});
+        tap(plane.sculptor, plane.surface, masking_brush(Tool::mask), {0.5, 0.5});
         const HeightMap before = plane.map;
         use(plane, info.tool);
         std::size_t changed = 0;
@@ -74,10 +74,10 @@ TEST(Mask, over_everything_leaves_no_step_to_undo) {
 
 TEST(Mask, half_protection_halves_a_stroke) {
     Plane half, free;
-    tap(half.sculptor, half.surface, brush_of(Tool::mask, 0.4f, 0.5f), {0.5, 0.5});
+    tap(half.sculptor, half.surface, masking_brush(Tool::mask, 0.4f, 0.5f), {0.5, 0.5});
     const int before = half.map.at(64, 64);
     for (Plane* plane : {&half, &free})
-        tap(plane->sculptor, plane->surface, brush_of(Tool::draw, 0.2f), {64.5 / 128, 64.5 / 128});
+        tap(plane->sculptor, plane->surface, masking_brush(Tool::draw, 0.2f), {64.5 / 128, 64.5 / 128});
     EXPECT_NEAR(half.map.at(64, 64) - before, (free.map.at(64, 64) - before) / 2.0, 1);
 }
 
@@ -122,8 +122,8 @@ TEST(Mask, blur_of_any_size_is_the_plain_one) {
 TEST(Mask, a_stopped_blur_leaves_mask_and_undo_as_they_were) {
     Plane plane, whole;
     for (Plane* each : {&plane, &whole}) {
-        tap(each->sculptor, each->surface, brush_of(Tool::mask), {0.5, 0.5});
-        tap(each->sculptor, each->surface, brush_of(Tool::mask), {0.3, 0.3});
+        tap(each->sculptor, each->surface, masking_brush(Tool::mask), {0.5, 0.5});
+        tap(each->sculptor, each->surface, masking_brush(Tool::mask), {0.3, 0.3});
         each->sculptor.undo();
     }
     std::vector<double> parts;
@@ -158,8 +158,8 @@ TEST(Mask, where_it_is_even_a_step_takes_hardly_any_memory) {
     const std::uint64_t all = plane.sculptor.mask()->hash();
     constexpr std::size_t kTiles = 64, kTile = 8192;
     EXPECT_LT(plane.sculptor.undo_bytes(), kTiles * 64);
-    tap(plane.sculptor, plane.surface, brush_of(Tool::mask, 0.01f), {0.5, 0.5});  // protected already
-    Brush freeing = brush_of(Tool::mask, 0.01f);
+    tap(plane.sculptor, plane.surface, masking_brush(Tool::mask, 0.01f), {0.5, 0.5});  // protected already
+    Brush freeing = masking_brush(Tool::mask, 0.01f);
     freeing.invert = true;
     tap(plane.sculptor, plane.surface, freeing, {0.3, 0.3});
     const std::uint64_t freed = plane.sculptor.mask()->hash();
@@ -184,10 +184,10 @@ TEST(Mask, where_it_is_even_a_step_takes_hardly_any_memory) {
 TEST(Mask, strokes_and_commands_are_undone_in_turn_with_the_map) {
     Plane plane;
     const std::uint64_t bare = plane.map.hash();
-    tap(plane.sculptor, plane.surface, brush_of(Tool::mask), {0.4, 0.4});
+    tap(plane.sculptor, plane.surface, masking_brush(Tool::mask), {0.4, 0.4});
     const std::uint64_t masked = plane.sculptor.mask()->hash();
     EXPECT_EQ(plane.map.hash(), bare);
-    tap(plane.sculptor, plane.surface, brush_of(Tool::draw), {0.5, 0.5});
+    tap(plane.sculptor, plane.surface, masking_brush(Tool::draw), {0.5, 0.5});
     const std::uint64_t drawn = plane.map.hash();
     plane.sculptor.blur_mask();
     plane.sculptor.invert_mask();
@@ -207,9 +207,9 @@ TEST(Mask, strokes_and_commands_are_undone_in_turn_with_the_map) {
     while (plane.sculptor.can_redo()) plane.sculptor.redo();
     EXPECT_EQ(plane.map.hash(), drawn);
     EXPECT_EQ(plane.sculptor.mask()->at(51, 51), 0) << "cleared";
-    tap(plane.sculptor, plane.surface, brush_of(Tool::mask), {0.4, 0.4});
+    tap(plane.sculptor, plane.surface, masking_brush(Tool::mask), {0.4, 0.4});
     const std::uint64_t again = plane.sculptor.mask()->hash();
-    plane.sculptor.begin(brush_of(Tool::mask));
+    plane.sculptor.begin(masking_brush(Tool::mask));
     plane.sculptor.dab(plane.surface.dab(0.8, 0.8));
     EXPECT_NE(plane.sculptor.mask()->hash(), again);
     plane.sculptor.cancel();
@@ -218,7 +218,7 @@ TEST(Mask, strokes_and_commands_are_undone_in_turn_with_the_map) {
 
 TEST(Mask, inverted_stroke_frees_again) {
     Plane plane;
-    Brush brush = brush_of(Tool::mask);
+    Brush brush = masking_brush(Tool::mask);
     tap(plane.sculptor, plane.surface, brush, {0.5, 0.5});
     brush.invert = true;
     brush.radius = 0.4f;
@@ -228,14 +228,14 @@ TEST(Mask, inverted_stroke_frees_again) {
 
 TEST(Mask, amplitude_0_can_be_masked) {
     Plane plane(32, 0.0f);
-    tap(plane.sculptor, plane.surface, brush_of(Tool::mask), {0.5, 0.5});
+    tap(plane.sculptor, plane.surface, masking_brush(Tool::mask), {0.5, 0.5});
     EXPECT_EQ(plane.sculptor.mask()->at(16, 16), 65535);
 }
 
 TEST(Mask, blur_of_the_brush_softens_the_border_under_it_alone_and_is_one_step) {
     Plane plane;
     const std::uint64_t heights = plane.map.hash();
-    Brush brush = brush_of(Tool::mask, 0.25f);
+    Brush brush = masking_brush(Tool::mask, 0.25f);
     brush.falloff = Falloff::constant;
     tap(plane.sculptor, plane.surface, brush, {0.5, 0.5});
     const HeightMap hard = *plane.sculptor.mask();
@@ -271,7 +271,7 @@ TEST(Mask, blur_softens_the_border_and_keeps_the_middle_over_a_cut) {
             surface.table.copies.push_back({static_cast<std::uint32_t>(map.index(gutter, y)),
                                             static_cast<std::uint32_t>(map.index(source, y))});
     Sculptor sculptor(map, surface);
-    Brush brush = brush_of(Tool::mask, 0.1f);
+    Brush brush = masking_brush(Tool::mask, 0.1f);
     brush.falloff = Falloff::constant;
     tap(sculptor, surface, brush, {0.42, 0.5});  // its border lies in the right island
     const auto blurred_across_the_cut = [&] {
@@ -291,4 +291,4 @@ TEST(Mask, blur_softens_the_border_and_keeps_the_middle_over_a_cut) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::mask_test

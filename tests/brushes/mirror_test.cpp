@@ -5,7 +5,7 @@
 
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::mirror_test {
 namespace {
 
 constexpr int kSize = 256;
@@ -88,4 +88,4 @@ TEST(Mirror, a_slanted_stroke_is_nowhere_higher_than_two_that_cross) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::mirror_test

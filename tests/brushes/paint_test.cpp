@@ -9,7 +9,7 @@
 #include "brushes/dab_tools.h"
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::paint_test {
 namespace {
 
 constexpr std::array<std::uint16_t, 3> kGround{20 * 257, 100 * 257, 200 * 257};
@@ -396,4 +396,4 @@ TEST(Paint, stamp_paints_through_its_image) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::paint_test

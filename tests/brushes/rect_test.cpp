@@ -4,7 +4,7 @@
 #include "brushes/texel_rect.h"
 #include "brushes/tile_rects.h"
 
-namespace relievo {
+namespace relievo::rect_test {
 namespace {
 
 bool disjoint(const std::vector<TexelRect>& rects) {
@@ -87,4 +87,4 @@ TEST(WithoutOverlaps, ARowOfDabsIsCoveredWithLittleBesideIt) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::rect_test

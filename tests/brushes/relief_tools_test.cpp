@@ -7,7 +7,7 @@
 #include "brushes/dab_tools.h"
 #include "relief_plane.h"
 
-namespace relievo {
+namespace relievo::relief_tools_test {
 namespace {
 
 void fill_bump(HeightMap& map, double x, double y, double width, double counts) {
@@ -346,4 +346,4 @@ TEST(ReliefTools, weak_dabs_add_up) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief_tools_test

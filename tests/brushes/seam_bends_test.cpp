@@ -5,7 +5,7 @@
 
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::seam_bends_test {
 namespace {
 
 constexpr std::int32_t kHalf = SeamBend::kOne / 2;
@@ -113,4 +113,4 @@ TEST(SeamBends, a_table_that_leaves_the_map_is_refused) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::seam_bends_test

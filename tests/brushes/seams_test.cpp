@@ -4,20 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "chart_surface.h"
+#include "relief_plane.h"
 
-namespace relievo {
+namespace relievo::seams_test {
 namespace {
-
-constexpr float kAmplitude = 0.2f;
-
-Brush brush_of(Tool tool, float radius, float strength) {
-    Brush brush;
-    brush.tool = tool;
-    brush.radius = radius;
-    brush.strength = strength;
-    return brush;
-}
 
 // The unit square cut at x = 0.5 into two islands, 96 texels a unit, both sides along texel columns. Gutters
 // hold copies along the seam; the other borders are extended by one texel.
@@ -254,4 +244,4 @@ TEST(Seams, texel_outside_the_map_is_refused) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::seams_test

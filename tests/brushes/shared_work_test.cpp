@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace relievo {
+namespace relievo::shared_work_test {
 namespace {
 
 TEST(SharedWork, DoesEveryPartOnce) {
@@ -85,4 +85,4 @@ TEST(SharedWork, ThrowsWhatAPartThrew) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::shared_work_test

@@ -7,7 +7,7 @@
 #include "brushes/dab_tools.h"
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::stamp_test {
 namespace {
 
 constexpr float kAmplitude = 0.2f, kRadius = 0.2f;
@@ -187,4 +187,4 @@ TEST(Stamp, without_an_image_it_is_refused) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::stamp_test

@@ -7,7 +7,7 @@
 
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::stroke_test {
 namespace {
 
 struct Plane {
@@ -227,4 +227,4 @@ TEST(HeightMap, sizes_outside_the_range_are_refused_and_the_hash_sees_shape_and_
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::stroke_test

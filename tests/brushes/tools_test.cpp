@@ -7,33 +7,13 @@
 #include <stdexcept>
 
 #include "brushes/dab_tools.h"
-#include "chart_surface.h"
+#include "relief_plane.h"
 
-namespace relievo {
+namespace relievo::tools_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-
-struct Plane {
-    explicit Plane(int size = 256, std::uint16_t count = 32768, float amplitude = 0.2f)
-        : map(size, size, count), surface(map, {unit_chart(map)}, amplitude), sculptor(map, surface) {}
-    std::uint16_t at(double x, double y) const {
-        return map.at(static_cast<int>(x * map.width()), static_cast<int>(y * map.height()));
-    }
-
-    HeightMap map;
-    ChartSurface surface;
-    Sculptor sculptor;
-};
-
-Brush brush_of(Tool tool, float radius = 0.1f, float strength = 1.0f) {
-    Brush brush;
-    brush.tool = tool;
-    brush.radius = radius;
-    brush.strength = strength;
-    return brush;
-}
 
 // Squared differences of neighbours: what smoothing lowers.
 double roughness(const HeightMap& map) {
@@ -289,4 +269,4 @@ TEST(Falloff, is_one_within_the_hardness_and_falls_to_the_rim) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::tools_test

@@ -7,7 +7,7 @@
 #include "brushes/dab_trail.h"
 #include "chart_surface.h"
 
-namespace relievo {
+namespace relievo::trail_test {
 namespace {
 
 constexpr int kSize = 512;
@@ -24,7 +24,7 @@ struct Plane {
     Sculptor sculptor;
 };
 
-Brush brush_of(Tool tool) {
+Brush held_brush(Tool tool) {
     Brush brush;
     brush.tool = tool;
     brush.radius = 0.1f;
@@ -56,14 +56,14 @@ TEST(Trail, a_stroke_at_the_usual_spacing_leaves_no_ribs) {
     for (const Tool tool : {Tool::level, Tool::erase, Tool::draw, Tool::clone}) {
         Plane plane;
         if (tool == Tool::clone) std::fill_n(plane.map.texels().begin(), kSize * kSize / 2, std::uint16_t{37000});
-        stroke(plane.sculptor, plane.surface, brush_of(tool), {0.2, 0.5}, {0.8, 0.5});
+        stroke(plane.sculptor, plane.surface, held_brush(tool), {0.2, 0.5}, {0.8, 0.5});
         EXPECT_LT(ribs(plane.map, kBefore), kLeast) << static_cast<int>(tool);
     }
     Plane masked;
-    stroke(masked.sculptor, masked.surface, brush_of(Tool::mask), {0.2, 0.5}, {0.8, 0.5});
+    stroke(masked.sculptor, masked.surface, held_brush(Tool::mask), {0.2, 0.5}, {0.8, 0.5});
     EXPECT_LT(ribs(*masked.sculptor.mask(), 0), kLeast);
     Plane painted;
-    Brush paint = brush_of(Tool::draw);
+    Brush paint = held_brush(Tool::draw);
     paint.paint = Paint::colour;
     paint.red = 1;
     stroke(painted.sculptor, painted.surface, paint, {0.2, 0.5}, {0.8, 0.5});
@@ -90,4 +90,4 @@ TEST(Trail, dabs_far_apart_stay_apart_and_between_the_trail_shrinks_evenly) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::trail_test

@@ -10,7 +10,7 @@
 #include "tests/cli/program.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::cli_test {
 namespace {
 
 using test::Outcome;
@@ -375,4 +375,4 @@ TEST_F(Program, ReplayLeavesPicturesMapAndTimings) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::cli_test

@@ -10,7 +10,7 @@
 #include "editor/session/compare/image_error.h"
 #include "editor/session/compare/points.h"
 
-namespace relievo {
+namespace relievo::answers_test {
 namespace {
 
 ComparedPoint point(const std::string& method, double value, double p99, double p999,
@@ -149,4 +149,4 @@ TEST(ErrorMaps, MarkWhatIsMissedAndInvented) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::answers_test

@@ -8,7 +8,7 @@
 #include "renderer/vulkan/context.h"
 #include "tests/reference/sample_surfaces.h"
 
-namespace relievo::test {
+namespace relievo::test::edge_gap_test {
 namespace {
 
 Scene scene_of(const SampleSurface& surface) {
@@ -117,4 +117,4 @@ TEST_F(EdgeGapsOfAPlane, AreNoneWhereNeighboursShareTheirNormals) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::edge_gap_test

@@ -11,7 +11,7 @@
 #include "editor/session/compare/points.h"
 #include "editor/session/compare/words.h"
 
-namespace relievo {
+namespace relievo::report_test {
 namespace {
 
 ComparedPoint point(const std::string& method, double dt, double error, double ms) {
@@ -176,4 +176,4 @@ TEST(Words, AreShort) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::report_test

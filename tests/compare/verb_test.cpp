@@ -12,7 +12,7 @@
 #include "tests/cli/program.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::verb_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -201,4 +201,4 @@ TEST_F(CompareVerb, JudgesExtremeCases) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::verb_test

@@ -6,7 +6,7 @@
 
 #include "tests/dbvh/dbvh_shader.h"
 
-namespace relievo::dbvh {
+namespace relievo::dbvh::bounds_test {
 namespace {
 
 using glm::dvec2;
@@ -228,4 +228,4 @@ TEST(DbvhPartPrisms, HoldEveryPointOfTheSurface) {
 INSTANTIATE_TEST_SUITE_P(Leaves, DbvhBounds, testing::Values(kLeafTriangles, kLeafBilinear, kLeafBspline));
 
 }  // namespace
-}  // namespace relievo::dbvh
+}  // namespace relievo::dbvh::bounds_test

@@ -3,7 +3,7 @@
 
 #include "tests/dbvh/dbvh_shader.h"
 
-namespace relievo::dbvh {
+namespace relievo::dbvh::normals_test {
 namespace {
 
 constexpr int kTexels = 16;
@@ -94,4 +94,4 @@ TEST_F(LeafNormals, BilinearLeavesHaveThatOfTheSurface) {
 }
 
 }  // namespace
-}  // namespace relievo::dbvh
+}  // namespace relievo::dbvh::normals_test

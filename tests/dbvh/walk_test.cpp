@@ -7,7 +7,7 @@
 
 #include "tests/dbvh/dbvh_shader.h"
 
-namespace relievo::dbvh {
+namespace relievo::dbvh::walk_test {
 namespace {
 
 // A triangle of a flat mesh at z = 0, with texel coordinates of its own.
@@ -73,4 +73,4 @@ TEST(DbvhWalk, VisitsSiblingsInTheOrderOfTheRay) {
 }
 
 }  // namespace
-}  // namespace relievo::dbvh
+}  // namespace relievo::dbvh::walk_test

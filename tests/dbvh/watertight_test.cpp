@@ -6,7 +6,7 @@
 
 #include "tests/dbvh/dbvh_shader.h"
 
-namespace relievo::dbvh {
+namespace relievo::dbvh::watertight_test {
 namespace {
 
 using glm::dvec2;
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(Leaves, DbvhWatertight,
                                           testing::Values(0, 1, 2)));
 
 }  // namespace
-}  // namespace relievo::dbvh
+}  // namespace relievo::dbvh::watertight_test

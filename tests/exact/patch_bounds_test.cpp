@@ -12,7 +12,7 @@
 
 #include "tests/support/shader_in_float.h"
 
-namespace relievo {
+namespace relievo::patch_bounds_test {
 namespace {
 
 using namespace shader_in_float;
@@ -293,4 +293,4 @@ TEST(SearchedHits, AreNoneWhereRaysPassCliffsOfThousandsOfTexels) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::patch_bounds_test

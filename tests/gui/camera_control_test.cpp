@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-namespace relievo::gui {
+namespace relievo::gui::camera_control_test {
 namespace {
 
 Camera camera_at(glm::dvec3 eye, glm::dvec3 up = {0, 1, 0}) {
@@ -111,4 +111,4 @@ TEST(CameraControl, framingHoldsTheSphereInATallNarrowPicture) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::camera_control_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace relievo::gui {
+namespace relievo::gui::colour_scale_test {
 namespace {
 
 int brightness(const Rgb& c) {
@@ -68,4 +68,4 @@ TEST(ColourScale, NormalsShowTheirAxes) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::colour_scale_test

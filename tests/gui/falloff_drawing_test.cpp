@@ -7,7 +7,7 @@
 #include "editor/gui/panels.h"
 #include "editor/gui/theme.h"
 
-namespace relievo::gui {
+namespace relievo::gui::falloff_drawing_test {
 namespace {
 
 class FalloffDrawing : public testing::Test {
@@ -110,4 +110,4 @@ TEST_F(FalloffDrawing, otherFalloffsAreOnlyShown) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::falloff_drawing_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace relievo::gui {
+namespace relievo::gui::key_layout_test {
 namespace {
 
 constexpr int kEscape = 256, kKeypad1 = 321;  // GLFW's
@@ -40,4 +40,4 @@ TEST(KeyLayout, WithoutALatinLetterAKeyIsItsPlace) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::key_layout_test

@@ -9,7 +9,7 @@
 #include "renderer/vulkan/context.h"
 #include "tests/session/on_device.h"
 
-namespace relievo::gui {
+namespace relievo::gui::layer_image_test {
 namespace {
 
 constexpr int kWidth = 64, kHeight = 48;
@@ -115,4 +115,4 @@ TEST_F(LayerImages, CostsAreCountedOfRaysThatMetABoxOnly) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::layer_image_test

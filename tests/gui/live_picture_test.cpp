@@ -5,7 +5,7 @@
 
 #include "tests/session/on_device.h"
 
-namespace relievo::gui {
+namespace relievo::gui::live_picture_test {
 namespace {
 
 class LivePictures : public test::OnDevice {
@@ -76,4 +76,4 @@ TEST_F(LivePictures, ComeToRestAfterAMotionInWhichTheMethodsDifferInSize) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::live_picture_test

@@ -8,7 +8,7 @@
 #include "renderer/vulkan/context.h"
 #include "tests/session/on_device.h"
 
-namespace relievo::gui {
+namespace relievo::gui::mask_veil_test {
 namespace {
 
 constexpr int kWidth = 64, kHeight = 48;
@@ -81,4 +81,4 @@ TEST(MaskVeil, nothingIsLeftOfAVeilWithoutSize) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::mask_veil_test

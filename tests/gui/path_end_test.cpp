@@ -3,7 +3,7 @@
 
 #include "editor/gui/widgets.h"
 
-namespace relievo::gui {
+namespace relievo::gui::path_end_test {
 namespace {
 
 float letters(std::string_view text) {  // each one wide, whatever bytes it takes
@@ -30,4 +30,4 @@ TEST(PathEnd, CutsNoLetterInTwo) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::path_end_test

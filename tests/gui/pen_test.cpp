@@ -9,7 +9,7 @@
 #include "editor/gui/pen_axis.h"
 #include "editor/gui/pen_track.h"
 
-namespace relievo::gui {
+namespace relievo::gui::pen_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -142,4 +142,4 @@ TEST(PenTrack, SamplesThatNoEventAsksForDoNotPileUpInItsWay) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::pen_test

@@ -6,7 +6,7 @@
 #include "editor/gui/theme.h"
 #include "editor/gui/widgets.h"
 
-namespace relievo::gui {
+namespace relievo::gui::picker_test {
 namespace {
 
 class Picker : public testing::Test {
@@ -74,4 +74,4 @@ TEST_F(Picker, StaysWithinAWindowThatShrinks) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::picker_test

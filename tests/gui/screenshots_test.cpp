@@ -9,7 +9,7 @@
 
 #include "tests/session/test_scene.h"
 
-namespace relievo::gui {
+namespace relievo::gui::screenshots_test {
 namespace {
 
 TEST(Screenshots, TakingOneDoesNotWaitForItToBeWritten) {
@@ -51,4 +51,4 @@ TEST(Screenshots, WhatIsUnderWayAtTheEndIsWritten) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::screenshots_test

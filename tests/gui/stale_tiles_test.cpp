@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace relievo::gui {
+namespace relievo::gui::stale_tiles_test {
 namespace {
 
 constexpr int kTile = StaleTiles::kTile;
@@ -66,4 +66,4 @@ TEST(StaleTiles, AHalfTracedTileStaysStale) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::stale_tiles_test

@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace relievo::gui {
+namespace relievo::gui::tool_hint_test {
 namespace {
 
 bool has_opposite(Tool tool) {
@@ -46,4 +46,4 @@ TEST(ToolHint, SaysWhetherColoursOrHeightsAreChanged) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::tool_hint_test

@@ -11,7 +11,7 @@
 #include "editor/gui/prism_lines.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo::gui {
+namespace relievo::gui::views_test {
 namespace {
 
 TEST(Views, TheRoundMeetsEveryViewOnceBothWays) {
@@ -95,4 +95,4 @@ TEST_F(Prisms, SidesGrowWithWhatIsSculpted) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::views_test

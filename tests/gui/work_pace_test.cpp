@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace relievo::gui {
+namespace relievo::gui::work_pace_test {
 namespace {
 
 struct Shown {
@@ -53,4 +53,4 @@ TEST(WorkPace, TheBarStandsThereFromTheSecondFrameOnWhichFollowsAtOnce) {
 }
 
 }  // namespace
-}  // namespace relievo::gui
+}  // namespace relievo::gui::work_pace_test

@@ -8,7 +8,7 @@
 
 #include "tests/reference/sample_surfaces.h"
 
-namespace relievo::test {
+namespace relievo::test::judge_test {
 namespace {
 
 constexpr int kSize = 40;
@@ -195,4 +195,4 @@ TEST(ErrorRanksOf, AHundredErrors) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::judge_test

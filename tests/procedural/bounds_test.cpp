@@ -6,7 +6,7 @@
 #include "renderer/procedural/evaluate.h"
 #include "tests/procedural/exemplars.h"
 
-namespace relievo {
+namespace relievo::bounds_test {
 namespace {
 
 using glm::dvec2;
@@ -107,4 +107,4 @@ TEST(ProceduralBounds, hold_the_surface_over_triangles) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::bounds_test

@@ -10,7 +10,7 @@
 #include "renderer/stability/sample_surfaces.h"
 #include "tests/procedural/exemplars.h"
 
-namespace relievo {
+namespace relievo::reference_test {
 namespace {
 
 using glm::dvec3;
@@ -78,4 +78,4 @@ TEST(ProceduralReference, all_rays_meet_what_they_meet_on_a_bake_of_the_same_tex
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::reference_test

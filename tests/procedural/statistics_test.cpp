@@ -8,7 +8,7 @@
 #include "renderer/procedural/gaussian.h"
 #include "tests/procedural/exemplars.h"
 
-namespace relievo {
+namespace relievo::statistics_test {
 namespace {
 
 using glm::ivec2;
@@ -153,4 +153,4 @@ TEST(ProceduralHeights, of_a_constant_exemplar_are_that_constant) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::statistics_test

@@ -8,7 +8,7 @@
 #include "renderer/procedural/evaluate.h"
 #include "tests/procedural/exemplars.h"
 
-namespace relievo {
+namespace relievo::triforce_test {
 namespace {
 
 using glm::dvec2;
@@ -145,4 +145,4 @@ TEST(TriforceBounds, are_tighter_than_the_whole_sources) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::triforce_test

@@ -7,7 +7,7 @@
 
 #include "tests/reference/sample_surfaces.h"
 
-namespace relievo::test {
+namespace relievo::test::closed_forms_test {
 namespace {
 
 using glm::dvec3;
@@ -201,4 +201,4 @@ TEST(Opacity, AHoleLetsTheRayThroughToTheNextSheet) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::closed_forms_test

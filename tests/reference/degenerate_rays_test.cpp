@@ -7,7 +7,7 @@
 
 #include "tests/reference/sample_surfaces.h"
 
-namespace relievo::test {
+namespace relievo::test::degenerate_rays_test {
 namespace {
 
 using glm::dvec3;
@@ -249,4 +249,4 @@ TEST(NodeLimit, AnswersUndecidedInsteadOfHanging) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::degenerate_rays_test

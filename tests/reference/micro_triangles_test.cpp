@@ -9,7 +9,7 @@
 
 #include "tests/reference/sample_surfaces.h"
 
-namespace relievo::test {
+namespace relievo::test::micro_triangles_test {
 namespace {
 
 using glm::dvec2;
@@ -205,4 +205,4 @@ TEST(Speed, ABallOf960TrianglesIsTracedWithinSeconds) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::micro_triangles_test

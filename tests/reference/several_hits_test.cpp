@@ -7,7 +7,7 @@
 
 #include "tests/reference/sample_surfaces.h"
 
-namespace relievo::test {
+namespace relievo::test::several_hits_test {
 namespace {
 
 using glm::dvec3;
@@ -99,4 +99,4 @@ TEST(SeveralHits, FromInsideABallOfRidgesTheFirstIsTheNearestOfAll) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::several_hits_test

@@ -11,7 +11,7 @@
 #include "renderer/features.h"
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::albedo_test {
 namespace {
 
 struct TestColours {
@@ -293,4 +293,4 @@ TEST_F(AlbedoFiles, TheOneOfASceneIsShownWithoutBeingHandedOver) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::albedo_test

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace relievo {
+namespace relievo::beside_test {
 namespace {
 
 struct Stop {};
@@ -62,4 +62,4 @@ TEST(WorkBeside, FailsWithWhatTheWorkThrows) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::beside_test

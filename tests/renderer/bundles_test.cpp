@@ -4,7 +4,7 @@
 
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::bundles_test {
 namespace {
 
 class Bundles : public EveryMethod {
@@ -110,4 +110,4 @@ TEST_P(Bundles, TheStackHoldsAllThatWaits) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::bundles_test

@@ -5,7 +5,7 @@
 
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::by_pixel_test {
 namespace {
 
 TEST(DbvhByPixel, StaysWithinAPixelOfTheSurfaceAndTakesFewerSteps) {
@@ -36,4 +36,4 @@ TEST(DbvhByPixel, StaysWithinAPixelOfTheSurfaceAndTakesFewerSteps) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::by_pixel_test

@@ -13,7 +13,7 @@
 #include "renderer/slant.h"
 #include "tests/support/scenes.h"
 
-namespace relievo::test {
+namespace relievo::test::close_bounds_test {
 namespace {
 
 using glm::dvec2;
@@ -234,4 +234,4 @@ TEST(CloseBounds, TrianglesWithoutAreaInTheMapHaveNone) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::close_bounds_test

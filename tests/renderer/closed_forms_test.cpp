@@ -3,7 +3,7 @@
 
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::closed_forms_test {
 namespace {
 
 RELIEVO_EVERY_METHOD(ClosedForms);
@@ -66,4 +66,4 @@ TEST(Settings, ImagesBeyondTheDevicesLargestBufferAreRefusedAndTheOldOneStays) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::closed_forms_test

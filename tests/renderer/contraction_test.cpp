@@ -9,7 +9,7 @@
 #include "renderer/vulkan/programs.h"
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::contraction_test {
 namespace {
 
 using Words = std::vector<std::uint32_t>;
@@ -53,4 +53,4 @@ TEST(Contraction, IsForbiddenInEveryShader) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::contraction_test

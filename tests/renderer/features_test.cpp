@@ -10,7 +10,7 @@
 
 #include "tests/support/scenes.h"
 
-namespace relievo::test {
+namespace relievo::test::features_test {
 namespace {
 
 FeatureRequest request_of(bool everything = false) { return {&find_method("pdm"), everything, false, TracePath::bvh, false}; }
@@ -180,4 +180,4 @@ TEST(Features, EachFeatureHasAReason) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::features_test

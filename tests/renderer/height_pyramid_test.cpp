@@ -8,7 +8,7 @@
 
 #include "tests/support/scenes.h"
 
-namespace relievo::test {
+namespace relievo::test::height_pyramid_test {
 namespace {
 
 TestMap noise(int width, int height, std::mt19937& rng) {
@@ -107,4 +107,4 @@ TEST(HeightPyramid, AnEditOfALargeMapTouchesNoMoreThanOfASmallOne) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::height_pyramid_test

@@ -10,7 +10,7 @@
 
 #include "tests/support/scenes.h"
 
-namespace relievo::test {
+namespace relievo::test::height_slabs_test {
 namespace {
 
 template <typename Height>
@@ -131,4 +131,4 @@ TEST(HeightSlabs, AnEditChangesNoNodeButThoseThatThePyramidNames) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::height_slabs_test

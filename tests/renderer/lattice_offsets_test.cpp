@@ -13,7 +13,7 @@
 #include "tests/renderer/device.h"
 #include "tests/renderer/lattice_offsets.h"
 
-namespace relievo::test {
+namespace relievo::test::lattice_offsets_test {
 namespace {
 
 using glm::ivec2;
@@ -166,4 +166,4 @@ TEST(LatticeOffsets, AreTheProcessorsBitForBit) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::lattice_offsets_test

@@ -7,7 +7,7 @@
 #include "tests/procedural/exemplars.h"
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::lattice_test {
 namespace {
 
 constexpr double kAmplitude = 0.2;
@@ -113,4 +113,4 @@ TEST(LatticeWalk, NoRayPassesAClosedMesh) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::lattice_test

@@ -3,7 +3,7 @@
 
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::live_edit_test {
 namespace {
 
 void raise(TestMap& map, const TexelRegion& r, std::uint16_t count) {
@@ -88,4 +88,4 @@ TEST_P(LiveEdit, OnlyTheWindowLosesItsSamples) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::live_edit_test

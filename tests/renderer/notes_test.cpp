@@ -6,7 +6,7 @@
 
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::notes_test {
 namespace {
 
 RELIEVO_EVERY_METHOD(Notes);
@@ -117,4 +117,4 @@ TEST_P(Notes, LogEndsInTheHitThatPickingFinds) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::notes_test

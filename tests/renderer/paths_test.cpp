@@ -4,7 +4,7 @@
 #include "brushes/map_file.h"
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::paths_test {
 namespace {
 
 RELIEVO_EVERY_METHOD(Paths);
@@ -209,4 +209,4 @@ TEST_P(Paths, WindowsOfAPassGiveTheWholeImage) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::paths_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/scenes.h"
 
-namespace relievo::test {
+namespace relievo::test::primitives_test {
 namespace {
 
 Mesh random_triangle(std::mt19937& rng, double spread) {
@@ -113,4 +113,4 @@ TEST(Primitives, SpatialOrderIsAPermutation) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::primitives_test

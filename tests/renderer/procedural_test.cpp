@@ -6,7 +6,7 @@
 #include "tests/procedural/exemplars.h"
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::procedural_test {
 namespace {
 
 RELIEVO_EVERY_METHOD(ProceduralHeights);
@@ -135,4 +135,4 @@ TEST(ProceduralScenes, FollowTheirSettings) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::procedural_test

@@ -8,7 +8,7 @@
 #include "renderer/features.h"
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::sample_scenes_test {
 namespace {
 
 constexpr int kSize = 40;
@@ -102,4 +102,4 @@ INSTANTIATE_TEST_SUITE_P(All, SampleScenes,
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::sample_scenes_test

@@ -6,7 +6,7 @@
 
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::terminator_test {
 namespace {
 
 constexpr float kIrradiance = 3, kAlbedo = 0.6f;
@@ -76,4 +76,4 @@ TEST(Terminator, LeavesShadowsOnAllTrianglesThatTheLightReaches) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::terminator_test

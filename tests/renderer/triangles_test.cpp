@@ -6,7 +6,7 @@
 #include "renderer/features.h"
 #include "tests/renderer/device.h"
 
-namespace relievo::test {
+namespace relievo::test::triangles_test {
 namespace {
 
 class DriverTriangles : public testing::Test {
@@ -105,4 +105,4 @@ TEST_F(DriverTriangles, TheReportTellsOfThemAndOfNoBoxes) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::triangles_test

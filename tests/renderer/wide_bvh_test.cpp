@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-namespace relievo::test {
+namespace relievo::test::wide_bvh_test {
 namespace {
 
 // The arithmetic of shaders/trace/node_boxes.glsl.
@@ -342,4 +342,4 @@ TEST(WideBvh, FiftyThousandBoxesAreBuiltAtOnce) {
 }
 
 }  // namespace
-}  // namespace relievo::test
+}  // namespace relievo::test::wide_bvh_test

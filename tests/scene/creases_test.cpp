@@ -10,7 +10,7 @@
 
 #include "renderer/scene/mesh_topology.h"
 
-namespace relievo {
+namespace relievo::creases_test {
 namespace {
 
 using Indices = std::vector<std::array<std::uint32_t, 3>>;
@@ -211,4 +211,4 @@ TEST(Creases, strip_across_a_texture_seam_stays_in_one_island) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::creases_test

@@ -7,7 +7,7 @@
 #include "renderer/scene/mesh_soup.h"
 #include "tests/scene/test_files.h"
 
-namespace relievo {
+namespace relievo::mesh_file_test {
 namespace {
 
 class MeshFiles : public TestFiles {
@@ -275,4 +275,4 @@ TEST_F(MeshFiles, ply_in_double_far_from_zero_warns_of_lost_digits) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::mesh_file_test

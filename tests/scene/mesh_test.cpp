@@ -8,7 +8,7 @@
 
 #include "tests/scene/test_files.h"
 
-namespace relievo {
+namespace relievo::mesh_test {
 namespace {
 
 MeshFile mesh_of(std::vector<glm::dvec3> positions, const std::vector<std::array<std::uint32_t, 3>>& faces) {
@@ -130,4 +130,4 @@ TEST(Mesh, positions_beyond_float_are_refused) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::mesh_test

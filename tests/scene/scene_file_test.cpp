@@ -6,7 +6,7 @@
 #include "tests/scene/scene_documents.h"
 #include "tests/scene/test_files.h"
 
-namespace relievo {
+namespace relievo::scene_file_test {
 namespace {
 
 class SceneFiles : public TestFiles {
@@ -140,4 +140,4 @@ TEST_F(SceneFiles, warnings_name_the_mesh) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::scene_file_test

@@ -7,7 +7,7 @@
 #include "tests/scene/scene_documents.h"
 #include "tests/scene/test_files.h"
 
-namespace relievo {
+namespace relievo::scene_schema_test {
 namespace {
 
 using nlohmann::json;
@@ -144,4 +144,4 @@ TEST(SceneSchema, lists_the_keys_of_the_loader) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::scene_schema_test

@@ -10,7 +10,7 @@
 
 #include "tests/support/scenes.h"
 
-namespace relievo {
+namespace relievo::triangle_bounds_test {
 namespace {
 
 struct Map {
@@ -270,4 +270,4 @@ TEST_P(MapSizes, lookup_finds_every_face_that_a_texel_touches) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::triangle_bounds_test

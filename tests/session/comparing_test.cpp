@@ -9,7 +9,7 @@
 #include "renderer/methods/registry.h"
 #include "tests/session/on_device.h"
 
-namespace relievo {
+namespace relievo::comparing_test {
 namespace {
 
 class Comparing : public test::OnDevice {
@@ -130,4 +130,4 @@ TEST_F(Comparing, ARaysReportEndsWhereThePixelShows) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::comparing_test

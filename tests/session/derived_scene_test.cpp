@@ -10,7 +10,7 @@
 #include "editor/session/session.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::derived_scene_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ TEST_F(DerivedScene, ANewMapOfAWrongSizeOrNameIsRefused) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::derived_scene_test

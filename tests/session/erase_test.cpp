@@ -6,7 +6,7 @@
 #include "editor/session/replay.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::erase_test {
 namespace {
 
 using test::headless;
@@ -96,4 +96,4 @@ TEST(EraseToSaved, ABakedMapIsWhereItGoesUntilTheFirstSave) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::erase_test

@@ -12,7 +12,7 @@
 #include "editor/session/view_window.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::image_file_test {
 namespace {
 
 DisplayPicture gradient(int width, int height) {
@@ -113,4 +113,4 @@ TEST(ViewWindow, PointsBehindTheEyeHaveNoPlace) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::image_file_test

@@ -11,7 +11,7 @@
 
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::journal_test {
 namespace {
 
 constexpr const char* kHeader = "{\"relievo_journal\":1}\n";
@@ -240,4 +240,4 @@ TEST(Journal, NamesThatAreNotUtf8AreRefused) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::journal_test

@@ -9,7 +9,7 @@
 
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::live_reference_test {
 namespace {
 
 constexpr int kWidth = 53, kHeight = 37;
@@ -130,4 +130,4 @@ TEST_F(LiveReferences, StoppedOrLeftInItsMidstItEndsAtOnce) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::live_reference_test

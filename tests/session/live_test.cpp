@@ -15,7 +15,7 @@
 #include "renderer/vulkan/context.h"
 #include "tests/session/on_device.h"
 
-namespace relievo {
+namespace relievo::live_test {
 namespace {
 
 class Live : public test::OnDevice {
@@ -257,4 +257,4 @@ TEST_F(Live, WhatChangesTheMaskAloneKeepsThePicturesSamples) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::live_test

@@ -9,7 +9,7 @@
 #include "editor/session/session.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::long_work_test {
 namespace {
 
 using test::headless;
@@ -95,4 +95,4 @@ TEST(Session, AStoppedRevertLeavesAllAsItWas) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::long_work_test

@@ -13,7 +13,7 @@
 #include "editor/session/session_mask.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::mask_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -284,4 +284,4 @@ TEST_F(MaskFile, ARecordOfAnOlderSaveLeavesTheMaskUnsaved) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::mask_file_test

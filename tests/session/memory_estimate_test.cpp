@@ -8,7 +8,7 @@
 #include "editor/session/session.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::memory_estimate_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -74,4 +74,4 @@ TEST(MemoryEstimate, InfoIsThatOfTheLoadedFile) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::memory_estimate_test

@@ -11,7 +11,7 @@
 #include "renderer/vulkan/context.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::paint_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -350,4 +350,4 @@ TEST_F(PaintSession, TheRendererShowsEveryDabAndUndo) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::paint_test

@@ -9,7 +9,7 @@
 
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::preferences_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ TEST_F(PreferencesFile, AFolderInTheWayIsOneClearError) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::preferences_test

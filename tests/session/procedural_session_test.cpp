@@ -8,7 +8,7 @@
 #include "editor/session/replay.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::procedural_session_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST(ProceduralSession, TextureCoordinatesBeyondTheMapAreNotBaked) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::procedural_session_test

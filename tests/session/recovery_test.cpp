@@ -13,7 +13,7 @@
 #include "editor/session/replay.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::recovery_test {
 namespace {
 
 using test::sculpt;
@@ -336,4 +336,4 @@ TEST_F(Recovery, AStampIsRestoredThoughItsImageIsGoneAndNothingOfItStaysBehind) 
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::recovery_test

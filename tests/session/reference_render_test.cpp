@@ -12,7 +12,7 @@
 #include "editor/session/scene_input.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::reference_render_test {
 namespace {
 
 constexpr double kFar = 1e5;  // of the scene from the world's zero, on each axis
@@ -112,4 +112,4 @@ TEST_F(ReferenceRender, MapsThatCannotBeReadAreNamed) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::reference_render_test

@@ -7,7 +7,7 @@
 
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::replay_test {
 namespace {
 
 using test::headless;
@@ -107,4 +107,4 @@ TEST(Replay, StageFiguresAreMediansOfTheDabsThatRanTheStage) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::replay_test

@@ -11,7 +11,7 @@
 #include "editor/session/settings.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::session_test {
 namespace {
 
 using test::headless;
@@ -352,4 +352,4 @@ TEST(Session, BrushesOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::session_test

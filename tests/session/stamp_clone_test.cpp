@@ -10,7 +10,7 @@
 #include "editor/session/replay.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::stamp_clone_test {
 namespace {
 
 using test::headless;
@@ -206,4 +206,4 @@ TEST(StampAndClone, ACancelledStrokeSettlesNoOffset) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::stamp_clone_test

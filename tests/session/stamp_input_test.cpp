@@ -7,7 +7,7 @@
 
 #include "editor/session/stroke_input.h"
 
-namespace relievo {
+namespace relievo::stamp_input_test {
 namespace {
 
 constexpr double kPixelsPerUnit = 100;
@@ -186,4 +186,4 @@ TEST(StampInput, AnAirbrushStampsByTimeAlongTheStroke) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::stamp_input_test

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace relievo {
+namespace relievo::stroke_input_test {
 namespace {
 
 constexpr float kPixelsPerUnit = 100;
@@ -290,4 +290,4 @@ TEST(StrokeInput, RoundedBarycentricsStayInTheTriangle) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::stroke_input_test

@@ -11,7 +11,7 @@
 
 #include "editor/session/stroke_input.h"
 
-namespace relievo {
+namespace relievo::stroke_settings_test {
 namespace {
 
 constexpr float kPixelsPerUnit = 100;
@@ -190,4 +190,4 @@ TEST(StrokeSettings, ValuesOutOfRangeAreRejectedByName) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::stroke_settings_test

@@ -15,7 +15,7 @@
 #include "renderer/vulkan/resources.h"
 #include "tests/session/on_device.h"
 
-namespace relievo {
+namespace relievo::switching_test {
 namespace {
 
 class Switching : public test::OnDevice {
@@ -151,4 +151,4 @@ TEST_F(Switching, StoppedOtherHeightsAreInNeitherPicture) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::switching_test

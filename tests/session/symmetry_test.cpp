@@ -10,7 +10,7 @@
 #include "editor/session/session.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::symmetry_test {
 namespace {
 
 constexpr int kQuads = 8;  // a side
@@ -225,4 +225,4 @@ TEST(Symmetry, AnObjectThatTurnsOutOfShapeIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::symmetry_test

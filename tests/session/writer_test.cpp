@@ -9,7 +9,7 @@
 #include "editor/session/journal_writer.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::writer_test {
 namespace {
 
 long line_count(const std::filesystem::path& path) {
@@ -107,4 +107,4 @@ TEST(JournalWriter, ADeletedFolderIsReportedAndNoLineIsLostOnceItIsBack) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::writer_test

@@ -15,7 +15,7 @@
 #include "renderer/vulkan/context.h"
 #include "tests/session/test_scene.h"
 
-namespace relievo {
+namespace relievo::bad_input_test {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
@@ -199,4 +199,4 @@ TEST_F(BadInput, MeshesWithoutAnyAreaAreRefusedByTheRenderer) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::bad_input_test

@@ -7,7 +7,7 @@
 #include "tests/stability/irregular_surfaces.h"
 #include "tests/support/device.h"
 
-namespace relievo::stability {
+namespace relievo::stability::coarser_levels_test {
 namespace {
 
 constexpr unsigned kSeeds = 24;
@@ -82,4 +82,4 @@ TEST_P(CoarserLevels, AreTheSurfaceOfACoarserMap) {
 INSTANTIATE_TEST_SUITE_P(Seeds, CoarserLevels, testing::Range(0u, kSeeds));
 
 }  // namespace
-}  // namespace relievo::stability
+}  // namespace relievo::stability::coarser_levels_test

@@ -8,7 +8,7 @@
 #include "renderer/stability/case_parts.h"
 #include "tests/support/device.h"
 
-namespace relievo::stability {
+namespace relievo::stability::extreme_tilings_test {
 namespace {
 
 constexpr int kSize = 10;  // pixels a side
@@ -72,4 +72,4 @@ INSTANTIATE_TEST_SUITE_P(Tilings, ExtremeTilings,
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace relievo::stability
+}  // namespace relievo::stability::extreme_tilings_test

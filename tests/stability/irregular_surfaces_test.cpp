@@ -7,7 +7,7 @@
 #include "tests/stability/irregular_surfaces.h"
 #include "tests/support/device.h"
 
-namespace relievo::stability {
+namespace relievo::stability::irregular_surfaces_test {
 namespace {
 
 constexpr unsigned kSeeds = 60;
@@ -61,4 +61,4 @@ TEST_P(IrregularSurfaces, DbvhMissesNothing) {
 INSTANTIATE_TEST_SUITE_P(Seeds, IrregularSurfaces, testing::Range(0u, kSeeds));
 
 }  // namespace
-}  // namespace relievo::stability
+}  // namespace relievo::stability::irregular_surfaces_test

@@ -9,7 +9,7 @@
 #include "renderer/stability/promises.h"
 #include "renderer/stability/ray_judge.h"
 
-namespace relievo::stability {
+namespace relievo::stability::judging_test {
 namespace {
 
 // What the reference says, as picks.
@@ -144,4 +144,4 @@ TEST(Promises, EveryLimitIsHeld) {
 }
 
 }  // namespace
-}  // namespace relievo::stability
+}  // namespace relievo::stability::judging_test

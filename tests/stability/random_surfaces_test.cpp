@@ -10,7 +10,7 @@
 #include "tests/stability/draw.h"
 #include "tests/support/device.h"
 
-namespace relievo::stability {
+namespace relievo::stability::random_surfaces_test {
 namespace {
 
 constexpr unsigned kSeeds = 32;
@@ -135,4 +135,4 @@ TEST_P(RandomSurfaces, ExactIsRight) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomSurfaces, testing::Range(0u, kSeeds));
 
 }  // namespace
-}  // namespace relievo::stability
+}  // namespace relievo::stability::random_surfaces_test

@@ -6,7 +6,7 @@
 
 #include "editor/session/stability/stability_report.h"
 
-namespace relievo {
+namespace relievo::report_test {
 namespace {
 
 using stability::Cell;
@@ -88,4 +88,4 @@ TEST(StabilityCases, HaveNamesOfTheirOwnThatFilesCanHave) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::report_test

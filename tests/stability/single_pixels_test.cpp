@@ -7,7 +7,7 @@
 #include "renderer/stability/ray_judge.h"
 #include "tests/support/device.h"
 
-namespace relievo::stability {
+namespace relievo::stability::single_pixels_test {
 namespace {
 
 struct SinglePixel {
@@ -53,4 +53,4 @@ TEST(SinglePixels, ExactIsRightWhereARayMeetsHundredsOfThousandsOfPatches) {
 }
 
 }  // namespace
-}  // namespace relievo::stability
+}  // namespace relievo::stability::single_pixels_test

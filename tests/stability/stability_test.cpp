@@ -6,7 +6,7 @@
 #include "renderer/stability/harness.h"
 #include "tests/support/device.h"
 
-namespace relievo::stability {
+namespace relievo::stability::stability_test {
 namespace {
 
 class Stability : public testing::TestWithParam<std::string> {};
@@ -43,4 +43,4 @@ TEST(KnownLimits, NameMethodsAndCasesThatExist) {
 }
 
 }  // namespace
-}  // namespace relievo::stability
+}  // namespace relievo::stability::stability_test

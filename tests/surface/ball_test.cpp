@@ -12,7 +12,7 @@
 #include "editor/session/surface/mesh_surface.h"
 #include "test_meshes.h"
 
-namespace relievo {
+namespace relievo::ball_test {
 namespace {
 
 using namespace test;
@@ -305,4 +305,4 @@ TEST(Ball, timing_of_a_dab_of_65k_texels) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::ball_test

@@ -16,7 +16,7 @@
 #include "editor/session/surface/texel_triangle.h"
 #include "test_meshes.h"
 
-namespace relievo {
+namespace relievo::curved_base_test {
 namespace {
 
 using namespace test;
@@ -112,4 +112,4 @@ TEST(CurvedBase, what_is_flattened_or_filled_with_clay_is_shaded_without_triangl
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::curved_base_test

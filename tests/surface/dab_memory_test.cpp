@@ -46,7 +46,7 @@ void operator delete(void* place, std::size_t) noexcept {
     std::free(place);
 }
 
-namespace relievo {
+namespace relievo::dab_memory_test {
 namespace {
 
 // The unit square at a map of 1024 x 1024 texels, dabbed in the middle.
@@ -168,4 +168,4 @@ TEST(DabMemory, as_many_copies_are_in_work_as_the_bound_allows) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::dab_memory_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace relievo {
+namespace relievo::height_fit_test {
 namespace {
 
 using Sites = std::vector<FitSite>;
@@ -67,4 +67,4 @@ TEST(HeightFit, noise_grows_little_however_far_the_place) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::height_fit_test

@@ -7,7 +7,7 @@
 #include "editor/session/surface/mesh_surface.h"
 #include "test_meshes.h"
 
-namespace relievo {
+namespace relievo::inflate_test {
 namespace {
 
 using namespace test;
@@ -55,4 +55,4 @@ TEST(Inflate, what_lies_on_the_far_side_of_a_thin_object_does_not_count) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::inflate_test

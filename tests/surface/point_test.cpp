@@ -7,7 +7,7 @@
 #include "editor/session/surface/mesh_surface.h"
 #include "test_meshes.h"
 
-namespace relievo {
+namespace relievo::point_test {
 namespace {
 
 using namespace test;
@@ -98,4 +98,4 @@ TEST(Point, degenerate_faces_give_unit_normals) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::point_test

@@ -11,7 +11,7 @@
 #include "slope_jump.h"
 #include "test_meshes.h"
 
-namespace relievo {
+namespace relievo::pole_test {
 namespace {
 
 using namespace test;
@@ -114,4 +114,4 @@ TEST(Pole, an_open_fan_is_left_to_its_seams) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::pole_test

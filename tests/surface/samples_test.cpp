@@ -16,7 +16,7 @@
 #include "slope_jump.h"
 #include "test_meshes.h"
 
-namespace relievo {
+namespace relievo::samples_test {
 namespace {
 
 using namespace test;
@@ -196,4 +196,4 @@ TEST(Samples, painting_over_seams_leaves_none_to_see) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::samples_test

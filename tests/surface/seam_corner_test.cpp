@@ -7,7 +7,7 @@
 #include "editor/session/surface/seam_table.h"
 #include "test_meshes.h"
 
-namespace relievo {
+namespace relievo::seam_corner_test {
 namespace {
 
 using namespace test;
@@ -94,4 +94,4 @@ TEST(SeamCorner, three_quarters_cost_one_owned_texel) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::seam_corner_test

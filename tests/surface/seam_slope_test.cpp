@@ -14,7 +14,7 @@
 #include "slope_jump.h"
 #include "test_meshes.h"
 
-namespace relievo {
+namespace relievo::seam_slope_test {
 namespace {
 
 using namespace test;
@@ -315,4 +315,4 @@ TEST(SeamSlope, a_mask_keeps_plain_copies) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::seam_slope_test

@@ -11,7 +11,7 @@
 #include "editor/session/surface/seam_table.h"
 #include "test_meshes.h"
 
-namespace relievo {
+namespace relievo::seam_test {
 namespace {
 
 using namespace test;
@@ -205,4 +205,4 @@ TEST(Seam, a_map_of_one_row_or_column) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::seam_test

@@ -14,7 +14,7 @@
 #include "editor/session/surface/seam_gap.h"
 #include "test_meshes.h"
 
-namespace relievo {
+namespace relievo::stamp_clone_test {
 namespace {
 
 using namespace test;
@@ -205,4 +205,4 @@ TEST(CloneSource, narrowerThanTheBrushTakesNoLongerThanOtherToolsThatResample) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::stamp_clone_test

@@ -29,7 +29,7 @@ std::string table_text(const TextTable& table) {
     return text + "\n";
 }
 
-std::string setting(const Comparison& c) {
+std::string setting_line(const Comparison& c) {
     char text[400];
     std::snprintf(text, sizeof text, "%s, %d cores; %s (%s), %s.", c.machine.cpu.c_str(), c.machine.cores,
                   c.device.c_str(), c.driver.c_str(), c.path.c_str());
@@ -37,7 +37,7 @@ std::string setting(const Comparison& c) {
 }
 
 // The subject's own numbers, and the other methods' times beside them at equal error.
-std::string speed_table(const Comparison& c) {
+std::string speed_lines(const Comparison& c) {
     if (c.scenes.empty() || c.scenes.front().points.empty()) return "";
     const std::string subject = c.methods.front();
     std::string text;
@@ -88,7 +88,7 @@ std::string error_table(const Comparison& c) {
 }  // namespace
 
 std::string markdown_text(const Comparison& c) {
-    std::string text = "# Error against run time\n\n" + setting(c) + "\n\n";
+    std::string text = "# Error against run time\n\n" + setting_line(c) + "\n\n";
     text +=
         "Times are medians of interleaved rounds, in milliseconds: primary rays only, and (in brackets) the "
         "beauty with "
@@ -101,7 +101,7 @@ std::string markdown_text(const Comparison& c) {
         table_text(methods_table(c)) +
         "What each method builds at its best: bytes; ms to build; ms after an edit of 256 x 256 texels:\n\n" +
         table_text(built_table(c)) + "Every setting: frame of primary rays; p99.9; missed, invented:\n\n" +
-        table_text(settings_table(c)) + "Speed and errors in full:\n\n" + speed_table(c) + error_table(c);
+        table_text(settings_table(c)) + "Speed and errors in full:\n\n" + speed_lines(c) + error_table(c);
     std::string cut;
     for (const ComparedScene& s : c.scenes)
         for (const std::string& sentence : s.cut) cut += "- " + s.name + ": " + sentence + "\n";

@@ -9,6 +9,7 @@
 #include "editor/session/surface/height_fit.h"
 #include "editor/session/surface/texel_classes.h"
 #include "editor/session/surface/texel_triangle.h"
+#include "renderer/scene/cross2.h"
 
 namespace relievo {
 namespace {
@@ -18,10 +19,6 @@ constexpr double kReach = 3;        // texels from the vertex that are extended 
 constexpr double kSites = 7;        // texels from the vertex that tell what lies there
 constexpr double kNearest = 3;      // spacings from a place beyond which texels do not count
 constexpr double kCircle = 2 * 3.14159265358979323846;
-
-double cross(glm::dvec2 a, glm::dvec2 b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 }  // namespace
 
@@ -49,7 +46,7 @@ PoleFans::PoleFans(const Mesh& mesh, const MapGrid& grid, const UvBorders& borde
 }
 
 glm::dvec2 PoleFans::Sector::barycentric(glm::dvec2 step) const {
-    return glm::dvec2(cross(step, previous), cross(next, step)) / cross(next, previous);
+    return glm::dvec2(cross2(step, previous), cross2(next, step)) / cross2(next, previous);
 }
 
 glm::dvec2 PoleFans::Fan::place(const Sector& sector, glm::dvec2 step) const {
