@@ -270,18 +270,48 @@ UploadStats GpuScene::upload(std::size_t index, const HeightView& map, std::span
     return stats;
 }
 
-void GpuScene::set_displacement(std::size_t index, double amplitude, double midlevel) {
+void GpuScene::set_displacement(std::size_t index, double amplitude, double midlevel, const WorkPart& part) {
+    constexpr double kBounded = 0.6, kMoved = 0.9;  // parts of the time, about
     Object& object = objects_[index];
+    const std::size_t count = object.primitive_of.size();
+    const auto is_there = [&](std::size_t face) { return object.primitive_of[face] != kNone; };
+    const auto move = [&](std::size_t face) {
+        if (is_there(face)) update_primitive(object, static_cast<std::uint32_t>(face));
+    };
+    const auto ranges = object.ranges;
+    const auto close = object.close;
+    const double amplitude_before = object.amplitude, midlevel_before = object.midlevel;
+    const bool searched_before = any_searched_;
+    std::size_t moved = 0;
+    const auto tell = [&](std::size_t done, double begin, double end) {
+        part.within(begin, end).at(static_cast<double>(done) / static_cast<double>(count));
+    };
     object.amplitude = amplitude;
     object.midlevel = midlevel;
-    object_data_.as<gpu::ObjectData>()[index].amplitude = static_cast<float>(amplitude);
-    object_data_.as<gpu::ObjectData>()[index].midlevel = static_cast<float>(midlevel);
-    const auto is_there = [&](std::size_t face) { return object.primitive_of[face] != kNone; };
-    by_all_cores(0, object.primitive_of.size(), [&](std::size_t face) {
-        if (is_there(face)) bound_anew(object, static_cast<std::uint32_t>(face));
-    });
-    for (std::uint32_t face = 0; face < object.primitive_of.size(); ++face)
-        if (is_there(face)) update_primitive(object, face);
+    try {
+        for (std::size_t begin = 0; begin < count; begin += kTellAfter) {
+            tell(begin, 0, kBounded);
+            by_all_cores(begin, std::min(begin + kTellAfter, count), [&](std::size_t face) {
+                if (is_there(face)) bound_anew(object, static_cast<std::uint32_t>(face));
+            });
+        }
+        for (; moved < count; ++moved) {
+            if (moved % kTellAfter == 0) tell(moved, kBounded, kMoved);
+            move(moved);
+        }
+    } catch (...) {
+        object.amplitude = amplitude_before;
+        object.midlevel = midlevel_before;
+        object.ranges = ranges;
+        object.close = close;
+        while (moved > 0) move(--moved);
+        any_searched_ = searched_before;
+        throw;
+    }
+    part.at(kMoved, 1);
+    gpu::ObjectData& data = object_data_.as<gpu::ObjectData>()[index];
+    data.amplitude = static_cast<float>(amplitude);
+    data.midlevel = static_cast<float>(midlevel);
     tree_.refit(commands_);
 }
 

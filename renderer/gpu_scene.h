@@ -45,7 +45,8 @@ class GpuScene {
     void upload_colours(std::size_t object, const ColourView& colours, std::span<const TexelRegion> regions);
     std::shared_ptr<AlbedoImage> colour_image(std::size_t object, const ColourView& colours, const WorkPart& part) const;
     void set_colours(std::size_t object, std::shared_ptr<AlbedoImage> image);
-    void set_displacement(std::size_t object, double amplitude, double midlevel);
+    // What it throws, on its way, leaves all as it was.
+    void set_displacement(std::size_t object, double amplitude, double midlevel, const WorkPart& part);
     void set_material(std::size_t object, const Material& material);
     void set_ray_offset(double fraction_of_radius);
 

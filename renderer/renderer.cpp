@@ -27,13 +27,26 @@ void check_size(const vulkan::Context& context, int width, int height, const cha
 
 // Some drivers compile at a program's first dispatch only.
 void dispatch_first(Renderer& renderer, const PassList& compiled) {
+    constexpr PixelRect kPixel{0, 0, 1, 1};
+    const Ray ray = renderer.camera_ray(0.5, 0.5);
     for (const vulkan::Pass pass : compiled) {
-        const Ray ray = renderer.camera_ray(0.5, 0.5);
-        if (pass == vulkan::Pass::beauty) renderer.render({0, 0, 1, 1}, Quality::preview);
-        if (pass == vulkan::Pass::aov) renderer.trace_layers({0, 0, 1, 1});
-        if (pass == vulkan::Pass::pick) renderer.pick(std::span(&ray, 1));
+        switch (pass) {
+            case vulkan::Pass::beauty:
+                renderer.render(kPixel, Quality::preview);
+                renderer.restart();
+                break;
+            case vulkan::Pass::aov:
+            case vulkan::Pass::counts:
+                renderer.trace_layers(kPixel, pass == vulkan::Pass::counts);
+                break;
+            case vulkan::Pass::pick:
+                renderer.pick(std::span(&ray, 1));
+                break;
+            case vulkan::Pass::notes:
+                renderer.trace_notes(ray);
+                break;
+        }
     }
-    renderer.restart();
 }
 
 // The values that what is built depends on.
@@ -61,7 +74,7 @@ Renderer::Renderer(vulkan::Context& context, const Scene& scene, std::span<const
         if (!c.empty()) check_size(context, c.width, c.height, "an albedo map");
     state_->maps.assign(maps.begin(), maps.end());
     state_->build(progress);
-    if (settings.light_ready || settings.picks_ready) dispatch_first(*this, state_->programs_in_use());
+    dispatch_first(*this, settings.ready);
 }
 
 Renderer::~Renderer() { state_->context.wait_idle(); }
@@ -106,37 +119,75 @@ void Renderer::set_colours(std::size_t object, const ColourView& colours, const 
     if (progress) dispatch_first(*this, s.programs_in_use());
 }
 
+void Renderer::make_ready(vulkan::Pass pass, const WorkProgress& progress) {
+    State& s = *state_;
+    if (s.passes.is_made(pass)) return;
+    PassList wanted = s.programs_in_use();
+    wanted.push_back(pass);
+    s.use_features(s.features, wanted, progress);
+    dispatch_first(*this, {pass});
+}
+
+std::vector<vulkan::Pass> Renderer::ready() const { return state_->programs_in_use(); }
+
 void Renderer::set_camera(const Camera& camera) {
     state_->scene.camera = camera;
     fill_view(state_->frame_data(), camera, state_->scene.origin, width(), height());
     state_->restart();
 }
 
-void Renderer::set_lights(const std::vector<Light>& lights, const Environment& environment) {
+void Renderer::set_lights(const std::vector<Light>& lights, const Environment& environment, const WorkProgress& progress) {
     State& s = *state_;
-    s.scene.lights = lights;
-    s.scene.environment = environment;
+    std::vector<Light> lights_before = std::exchange(s.scene.lights, lights);
+    const Environment environment_before = std::exchange(s.scene.environment, environment);
+    bool compiled = false;
+    try {
+        compiled = s.follow_features(derive_features(s.scene, s.request), progress);
+    } catch (...) {
+        s.scene.lights = std::move(lights_before);
+        s.scene.environment = environment_before;
+        throw;
+    }
     fill_lights(s.frame_data(), lights, environment, s.scene.origin);
-    s.follow_features(derive_features(s.scene, s.request));
     s.restart();
+    if (compiled && progress) dispatch_first(*this, s.programs_in_use());
 }
 
-void Renderer::set_material(std::size_t object, const Material& material) {
+void Renderer::set_material(std::size_t object, const Material& material, const WorkProgress& progress) {
     State& s = *state_;
-    s.scene.objects[object].material = material;
+    const Material before = std::exchange(s.scene.objects[object].material, material);
+    bool compiled = false;
+    try {
+        compiled = s.follow_features(derive_features(s.scene, s.request), progress);
+    } catch (...) {
+        s.scene.objects[object].material = before;
+        throw;
+    }
     s.gpu_scene->set_material(object, material);
-    const Features fresh = derive_features(s.scene, s.request);
-    if (fresh.gloss != s.features.gloss) s.follow_features(fresh);
     s.restart();
+    if (compiled && progress) dispatch_first(*this, s.programs_in_use());
 }
 
-void Renderer::set_displacement(std::size_t object, double amplitude, double midlevel) {
+void Renderer::set_displacement(std::size_t object, double amplitude, double midlevel, const WorkProgress& progress) {
     State& s = *state_;
-    s.scene.objects[object].displacement.amplitude = amplitude;
-    s.scene.objects[object].displacement.midlevel = midlevel;
-    s.gpu_scene->set_displacement(object, amplitude, midlevel);
-    s.follow_search();
+    Displacement& displacement = s.scene.objects[object].displacement;
+    const double amplitude_before = std::exchange(displacement.amplitude, amplitude);
+    const double midlevel_before = std::exchange(displacement.midlevel, midlevel);
+    bool moved = false, compiled = false;
+    try {
+        run_beside(progress, [&](const WorkPart& part) {
+            s.gpu_scene->set_displacement(object, amplitude, midlevel, part);
+            return moved = true;
+        });
+        compiled = s.follow_search(progress);
+    } catch (...) {
+        displacement.amplitude = amplitude_before;
+        displacement.midlevel = midlevel_before;
+        if (moved) s.gpu_scene->set_displacement(object, amplitude_before, midlevel_before, {});
+        throw;
+    }
     s.restart();
+    if (compiled && progress) dispatch_first(*this, s.programs_in_use());
 }
 
 void Renderer::set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights,

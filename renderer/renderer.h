@@ -14,6 +14,7 @@
 #include "renderer/beside.h"
 #include "renderer/scene/scene.h"
 #include "renderer/trace_path.h"
+#include "renderer/vulkan/pass.h"
 
 namespace relievo {
 
@@ -50,7 +51,7 @@ struct RenderSettings {
     std::string method;                      // empty: the registry's default
     std::map<std::string, double> parameters;  // of the method; std::invalid_argument on a wrong name or range
     TracePath path = TracePath::automatic;
-    bool light_ready = false, picks_ready = false;  // their programs are compiled with the rest, else at first use
+    std::vector<vulkan::Pass> ready;  // their programs are compiled with the rest, else at first use
     bool everything = false;  // build all features whether the scene needs them or not (tests compare the images)
 };
 
@@ -127,19 +128,25 @@ class Renderer {
     // The same of the object's albedo map, which must have been given; of its size.
     void upload_colours(std::size_t object, const ColourView& colours, std::span<const TexelRegion> regions);
 
-    // Each of these restarts the accumulation of the whole image.
+    // Compiles a pass's program where that was not done yet: else its first use waits for it. Keeps the samples of all
+    // others than the beauty.
+    void make_ready(vulkan::Pass pass, const WorkProgress& progress = {});
+    std::vector<vulkan::Pass> ready() const;
+
+    // Each of these restarts the accumulation of the whole image. Where another scene, method or setting needs other
+    // programs, those of the passes that were in use are compiled at once if there is a `progress`, else at first use. What
+    // is thrown by one of these, by `progress` too, leaves all as it was.
     void set_camera(const Camera& camera);
-    void set_lights(const std::vector<Light>& lights, const Environment& environment);
-    void set_material(std::size_t object, const Material& material);
-    void set_displacement(std::size_t object, double amplitude, double midlevel);  // new bounds for all triangles
+    void set_lights(const std::vector<Light>& lights, const Environment& environment, const WorkProgress& progress = {});
+    void set_material(std::size_t object, const Material& material, const WorkProgress& progress = {});
+    // New bounds for all triangles.
+    void set_displacement(std::size_t object, double amplitude, double midlevel, const WorkProgress& progress = {});
     // An albedo map for an object, in the place of its albedo or of another map; empty: its albedo again.
     void set_colours(std::size_t object, const ColourView& colours, const WorkProgress& progress = {});
     // Other heights for an object: another map, an exemplar, or the same one otherwise read. Makes the device's scene anew.
     void set_heights(std::size_t object, const Displacement& displacement, const HeightView& heights,
                      const WorkProgress& progress = {});
-    // std::invalid_argument where the method refuses what it would have to build (too many micro-triangles). Programs
-    // that the method before it had are compiled for it, too. Whatever is thrown by one of these three, by `progress` too:
-    // all stays as it was.
+    // std::invalid_argument where the method refuses what it would have to build (too many micro-triangles).
     void set_method(const std::string& name, const std::map<std::string, double>& parameters, const WorkProgress& progress = {});
     void resize(int width, int height);
     void restart();                        // forget all samples

@@ -83,10 +83,7 @@ void Renderer::State::build(const WorkProgress& progress) {
     request.dense_sheet = is_dense_sheet(scene, settings.width, settings.height);
     request.has_colours = any_colours(colours);
     set_layout = make_set_layout(context, scene.objects.size(), request.path);
-    PassList compiled;
-    if (settings.light_ready) compiled.push_back(vulkan::Pass::beauty);
-    if (settings.picks_ready) compiled.push_back(vulkan::Pass::pick);
-    take(run_beside(progress, [&](const WorkPart& part) { return make(*method, parameters, {}, compiled, part); }));
+    take(run_beside(progress, [&](const WorkPart& part) { return make(*method, parameters, {}, settings.ready, part); }));
     film = Film(context, commands, settings.width, settings.height);
     frame = vulkan::Buffer(context, sizeof(gpu::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vulkan::Access::host);
     single_rays = SingleRays(context);
@@ -152,16 +149,25 @@ vulkan::Passes Renderer::State::make_passes(const Method& of, const Features& by
     return made;
 }
 
-void Renderer::State::follow_features(const Features& fresh) {
+void Renderer::State::use_features(const Features& fresh, const PassList& compiled, const WorkProgress& progress) {
+    passes = run_beside(progress, [&](const WorkPart& part) { return make_passes(*method, fresh, compiled, part); });
     features = fresh;
-    passes = make_passes(*method, features, {}, {});
 }
 
-// An edit may fold a shell for the first time.
-void Renderer::State::follow_search() {
-    if (gpu_scene->any_searched() == request.has_searched) return;
-    request.has_searched = gpu_scene->any_searched();
-    follow_features(derive_features(scene, request));
+bool Renderer::State::follow_features(const Features& fresh, const WorkProgress& progress) {
+    if (fresh == features) return false;
+    use_features(fresh, progress ? programs_in_use() : PassList(), progress);
+    return true;
+}
+
+// An edit or another amplitude may fold a shell for the first time.
+bool Renderer::State::follow_search(const WorkProgress& progress) {
+    FeatureRequest wanted = request;
+    wanted.has_searched = gpu_scene->any_searched();
+    if (wanted.has_searched == request.has_searched) return false;
+    const bool other = follow_features(derive_features(scene, wanted), progress);
+    request = wanted;
+    return other;
 }
 
 void Renderer::State::apply_parameters() {

@@ -86,8 +86,11 @@ struct Renderer::State {
     void load_albedo_files();
     void write_addresses();
     void make_set();
-    void follow_features(const Features& fresh);  // compiles at first use
-    void follow_search();
+    // Programs for these features, the listed ones compiled, in the place of what is there.
+    void use_features(const Features& fresh, const PassList& compiled, const WorkProgress& progress);
+    // The same where they differ, for the passes in use: at once if there is a `progress`, else at first use. True then.
+    bool follow_features(const Features& fresh, const WorkProgress& progress = {});
+    bool follow_search(const WorkProgress& progress = {});
     void apply_parameters();
     void write_own_bindings() const;
     void run(vulkan::Pass pass, const gpu::PushData& push, int width, int height);

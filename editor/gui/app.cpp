@@ -313,21 +313,26 @@ void App::do_work() {
     if (!work) return;
     const auto start = Clock::now();
     const double since_us = window_->now_us();
+    // What was compiled is now tried: some drivers stand still then, and a bar must be there before that.
+    const auto compiled = [this] { return desk_.session.context().programs().compiled(); };
+    const std::uint64_t compiled_before = compiled();
     WorkPace pace;
     double look_ms = kUnseenWorkMs;
     std::string trouble;
     try {
         work->run([&](double part) {
             const double now_ms = ms_since(start);
-            if (now_ms < look_ms) return true;
+            const bool first = !desk_.view.work;
+            if (now_ms < look_ms && !(first && compiled() != compiled_before)) return true;
             look_ms = now_ms + kWorkLookMs;
-            if (desk_.view.work) {
+            if (!first) {
                 if (!poll_behind_work() && !pace.due(now_ms)) return true;
             } else {
                 window_->poll();  // what was done before the work could be seen is still to come
                 desk_.view.work = WorkShown{work->title};
             }
             desk_.view.work->part = part;
+            if (first) draw();  // Dear ImGui shows a new dialog from its second frame on
             draw();
             pace.drawn(now_ms, ms_since(start));
             return !desk_.view.work->stopped;

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "editor/gui/camera_control.h"
 #include "editor/session/preferences.h"
@@ -46,17 +47,24 @@ bool Desk::attempt(const std::function<void()>& command) {
 
 void Desk::set(const std::string& key, const SetValue& value) {
     const bool of_method = key == "method" || key.starts_with("method."), of_heights = key.starts_with("procedural.");
-    if (!of_method && !of_heights) {
-        if (attempt([&] { session.set(key, value); })) live.in_motion();
-        return;
-    }
     const auto* name = std::get_if<std::string>(&value);
     const std::string method = of_method && name ? *name : session.scene().method.name;
     attempt([&] {
-        work = LongWork{of_method ? preparing(method) : "Changing the heights",
+        finish_work();
+        work = LongWork{of_method    ? preparing(method)
+                        : of_heights ? "Changing the heights"
+                                     : "Preparing the picture",
                         [this, key, value](const Advance& advance) { session.set(key, value, advance); },
                         [this] { live.in_motion(); }};
     });
+}
+
+// Settings may come in one frame, each of which builds on those before it.
+void Desk::finish_work() {
+    const auto waiting = std::exchange(work, std::nullopt);
+    if (!waiting) return;
+    waiting->run({});
+    if (waiting->done) waiting->done();
 }
 
 // Named from the scene's folder, so that the journal can move with the scene.
@@ -217,14 +225,22 @@ void Desk::pick_colour() {
     set_colour(session.brush(), session.colour_at(*hit));
 }
 
-void Desk::prepare_to_paint(const Brush& brush, const std::function<void()>& then) {
-    if (!paints(brush) || session.colours()) return then();
-    work = LongWork{"Making a colour map",
-                    [this](const Advance& advance) { session.make_colours(view.colour_bits, advance); },
-                    [this, then] {
-                        live.restart();
-                        attempt(then);
-                    }};
+void Desk::prepare_stroke(const Brush& brush, const std::function<void()>& then) {
+    const bool veiled = brush.tool == Tool::mask && live.view_shows_mask() && live.mask_shown();
+    if (paints(brush) && !session.colours()) {
+        work = LongWork{"Making a colour map",
+                        [this](const Advance& advance) { session.make_colours(view.colour_bits, advance); },
+                        [this, then] {
+                            live.restart();
+                            attempt(then);
+                        }};
+    } else if (veiled && std::ranges::count(session.renderer().ready(), vulkan::Pass::aov) == 0) {
+        work = LongWork{"Preparing the picture",
+                        [this](const Advance& advance) { session.make_ready(vulkan::Pass::aov, advance); },
+                        [this, then] { attempt(then); }};
+    } else {
+        then();
+    }
 }
 
 void Desk::keep_colour(const Brush& brush) {
@@ -238,7 +254,20 @@ void Desk::keep_colour(const Brush& brush) {
 }
 
 void Desk::set_view(View wanted) {
-    attempt([&] { live.set_view(wanted); });
+    attempt([&] {
+        work = LongWork{"Preparing the view",
+                        [this, wanted](const Advance& advance) { live.set_view(wanted, advance); }};
+    });
+}
+
+void Desk::ask_why(Renderer& renderer, const std::string& method, const glm::ivec2& pixel) {
+    attempt([&] {
+        work = LongWork{"Preparing the ray's log",
+                        [this](const Advance& advance) { session.make_ready(vulkan::Pass::notes, advance); },
+                        [this, &renderer, method, pixel] {
+                            attempt([&] { why.ask(renderer, reference, method, pixel); });
+                        }};
+    });
 }
 
 void Desk::show_mask(bool wanted) {

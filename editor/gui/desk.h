@@ -132,12 +132,14 @@ class Desk {
     void choose_tool(std::size_t index);     // into tools(); beyond them, nothing happens
     void next_paint();                       // height, colour, both
     void pick_colour();                      // from the surface under the pointer, for the brush
-    // Before a stroke by that brush: where it paints and there is no colour map yet, one is made between two frames. `then`:
-    // what waits for it; else it comes at once.
-    void prepare_to_paint(const Brush& brush, const std::function<void()>& then);
+    // Before a stroke by that brush: what it still needs (a colour map, where it paints; where it masks, the program that
+    // tells what the mask lies on) is made between two frames. `then`: what waits for it; else it comes at once.
+    void prepare_stroke(const Brush& brush, const std::function<void()>& then);
     void keep_colour(const Brush& brush);  // among the recent ones, where it paints with one
     void export_colours(const std::filesystem::path& path);
     void set_view(View view);
+    // What happened to the ray through the renderer's pixel; `method`: the renderer's.
+    void ask_why(Renderer& renderer, const std::string& method, const glm::ivec2& pixel);
     void show_mask(bool wanted);
     void change_mask(MaskCommand command);
     void split(bool wanted);  // the right part of the picture by the second method
@@ -155,6 +157,7 @@ class Desk {
 
   private:
     void take_step(bool forth);
+    void finish_work();
     void turn_light(const glm::dmat3& turn);
     void tell_saved(const std::filesystem::path& path, const SaveWith& with);
     // Where the scene would be opened again without these files, one with them, among the recent ones.

@@ -53,8 +53,9 @@ void LivePicture::set_reduction(int reduction) {
     restart();
 }
 
-void LivePicture::set_view(View view) {
+void LivePicture::set_view(View view, const Advance& advance) {
     if (view == choice_.palette.view) return;
+    if (shows_layers(view)) session_->make_ready(view == View::steps ? vulkan::Pass::counts : vulkan::Pass::aov, advance);
     choice_.palette.view = view;
     choice_.palette.reference = &reference_->picture();
     choice_.palette.units = error_units(session_->scene());

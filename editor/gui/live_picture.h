@@ -28,7 +28,8 @@ class LivePicture {
     int sample_limit() const { return choice_.sample_limit; }
 
     View view() const { return choice_.palette.view; }
-    void set_view(View view);
+    // Compiles what it needs; stopped, it leaves the view as it was.
+    void set_view(View view, const Advance& advance = {});
     RayCount count() const { return choice_.count; }
     void set_count(RayCount count);  // of the view `steps`
     const ColourScale& scale() const { return choice_.palette.scale; }

@@ -79,7 +79,7 @@ void PointerControl::on_press(const InputEvent& local) {
             return desk_->toasts.info("Nothing is masked yet: there is no border to blur");
         if (brush.tool == Tool::mask) tell_if_mask_is_unseen();
         desk_->attempt([&] {
-            desk_->prepare_to_paint(brush, [this, brush, local] {
+            desk_->prepare_stroke(brush, [this, brush, local] {
                 desk_->keep_colour(brush);
                 stroke_.begin(local);
             });
@@ -105,11 +105,8 @@ void PointerControl::ask(const InputEvent& local) {
     const auto pixel = [](double at, int size, int pixels) {
         return std::clamp(static_cast<int>(at / size * pixels), 0, pixels - 1);
     };
-    desk_->attempt([&] {
-        desk_->why.ask(renderer, desk_->reference, std::string(find_method(choice.name).name),
-                       {pixel(local.x, picture_width_, renderer.width()),
-                        pixel(local.y, picture_height_, renderer.height())});
-    });
+    desk_->ask_why(renderer, std::string(find_method(choice.name).name),
+                   {pixel(local.x, picture_width_, renderer.width()), pixel(local.y, picture_height_, renderer.height())});
 }
 
 void PointerControl::on_move(const InputEvent& local) {

@@ -99,6 +99,10 @@ void Session::stop_comparing() {
     if (state_->view) state_->view->stop_comparing();
 }
 
+void Session::make_ready(vulkan::Pass pass, const Advance& advance) {
+    if (state_->view) state_->view->make_ready(pass, advance);
+}
+
 const StageTimes& Session::times() const {
     return state_->times;
 }
@@ -139,11 +143,47 @@ void Session::change_mask(MaskCommand command, const Advance& advance) {
     s.recorder->record(MaskOp{command});
 }
 
+namespace {
+
+// What a setting changes that the renderers may then refuse, or be stopped at.
+class SettingsBefore {
+  public:
+    explicit SettingsBefore(const Scene& scene)
+        : method_(scene.method), lights_(scene.lights), environment_(scene.environment),
+          material_(scene.objects.front().material), amplitude_(scene.objects.front().displacement.amplitude),
+          midlevel_(scene.objects.front().displacement.midlevel) {}
+
+    void put_back(Scene& scene) const {
+        scene.method = method_;
+        scene.lights = lights_;
+        scene.environment = environment_;
+        SceneObject& object = scene.objects.front();
+        object.material = material_;
+        object.displacement.amplitude = amplitude_;
+        object.displacement.midlevel = midlevel_;
+    }
+
+  private:
+    MethodChoice method_;
+    std::vector<Light> lights_;
+    Environment environment_;
+    Material material_;
+    double amplitude_, midlevel_;
+};
+
+}  // namespace
+
+void Session::State::follow(SettingScope scope, const Advance& advance) {
+    if (scope == SettingScope::displacement)
+        surface->set_displacement(static_cast<float>(displacement().amplitude), static_cast<float>(displacement().midlevel));
+    if (view) view->follow(scope, scene, advance);
+}
+
 void Session::set(const std::string& key, const SetValue& value, const Advance& advance) {
     State& s = *state_;
     s.require_no_stroke();
     Displacement wanted;
-    const MethodChoice method_before = s.scene.method;
+    const SettingsBefore before(s.scene);
     const SettingScope scope = apply_setting(s.scene, key, value, wanted);
     if (scope == SettingScope::heights) {
         const bool other = wanted.procedural->exemplar != s.displacement().procedural->exemplar;
@@ -151,15 +191,14 @@ void Session::set(const std::string& key, const SetValue& value, const Advance& 
         s.take_heights(wanted,
                        other ? std::optional(open_map(wanted, {}, s.traced_by(), within(advance, 0, read))) : std::nullopt,
                        within(advance, read, 1));
-    } else if (scope == SettingScope::displacement) {
-        s.surface->set_displacement(static_cast<float>(s.displacement().amplitude),
-                                    static_cast<float>(s.displacement().midlevel));
-    }
-    try {
-        if (s.view) s.view->follow(scope, s.scene, advance);
-    } catch (...) {
-        if (scope == SettingScope::method) s.scene.method = method_before;
-        throw;
+    } else {
+        try {
+            s.follow(scope, advance);
+        } catch (...) {
+            before.put_back(s.scene);
+            s.follow(scope, {});
+            throw;
+        }
     }
     s.recorder->record(SetOp{key, value});
 }

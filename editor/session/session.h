@@ -104,6 +104,8 @@ class Session {
     // may stop it: then all is as it was.
     Renderer& compare_with(const MethodChoice& method, const Advance& advance = {});
     void stop_comparing();
+    // Renderer::make_ready, of both. Stopped, the surface is shown as before, and what is compiled stays so.
+    void make_ready(vulkan::Pass pass, const Advance& advance);
 
     // What a journal of this session starts with; its `scene` is absolute.
     const JournalHeader& header() const;

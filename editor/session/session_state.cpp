@@ -71,7 +71,10 @@ void Session::State::open_view() {
         other_sources.push_back(source_of(scene.objects[i].mesh, other, others.back().map));
     }
     opened(kMaskRead);
-    view = std::make_unique<SessionView>(scene, maps(), colours.view(), options, within(options.opening, kMaskRead, 1));
+    std::vector<vulkan::Pass> ready;
+    if (options.for_window) ready = {vulkan::Pass::beauty, vulkan::Pass::pick};
+    if (options.for_window && sculptor->mask()) ready.push_back(vulkan::Pass::aov);  // what lies under it
+    view = std::make_unique<SessionView>(scene, maps(), colours.view(), options, ready, within(options.opening, kMaskRead, 1));
 }
 
 std::vector<const HeightMap*> Session::State::maps() const {

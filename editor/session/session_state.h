@@ -42,6 +42,8 @@ struct Session::State {
     const MethodChoice* traced_by() const { return options.with_renderer ? &scene.method : nullptr; }
 
     void open_view();
+    // After a setting has changed, of any scope but heights.
+    void follow(SettingScope scope, const Advance& advance);
     std::vector<const HeightMap*> maps() const;
     // Other heights for the edited object: another map or exemplar where `fresh` holds one. Undo steps end
     // there. Throws before anything has changed.

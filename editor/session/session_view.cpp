@@ -30,21 +30,21 @@ std::vector<TexelRegion> regions_of(std::span<const TexelRect> rects) {
     return regions;
 }
 
-void follow_with(Renderer& renderer, SettingScope scope, const Scene& scene, const Advance& advance) {
+void follow_with(Renderer& renderer, SettingScope scope, const Scene& scene, const WorkProgress& progress) {
     const SceneObject& object = scene.objects.front();
     switch (scope) {
         case SettingScope::camera:
             return renderer.set_camera(scene.camera);
         case SettingScope::lights:
-            return renderer.set_lights(scene.lights, scene.environment);
+            return renderer.set_lights(scene.lights, scene.environment, progress);
         case SettingScope::material:
-            return renderer.set_material(0, object.material);
+            return renderer.set_material(0, object.material, progress);
         case SettingScope::displacement:
-            return renderer.set_displacement(0, object.displacement.amplitude, object.displacement.midlevel);
+            return renderer.set_displacement(0, object.displacement.amplitude, object.displacement.midlevel, progress);
         case SettingScope::heights:
             return;
         case SettingScope::method:
-            return renderer.set_method(scene.method.name, scene.method.parameters, told_to(advance));
+            return renderer.set_method(scene.method.name, scene.method.parameters, progress);
     }
 }
 
@@ -56,7 +56,8 @@ WorkProgress told_to(const Advance& advance, const std::string& stopped) {
 }
 
 SessionView::SessionView(const Scene& scene, std::span<const HeightMap* const> maps,
-                         const ColourView& colours, const SessionOptions& options, const Advance& advance)
+                         const ColourView& colours, const SessionOptions& options, const std::vector<vulkan::Pass>& ready,
+                         const Advance& advance)
     : context_(std::make_unique<vulkan::Context>(
           vulkan::ContextOptions{options.device, options.validation, options.for_window})),
       path_(options.path) {
@@ -66,7 +67,7 @@ SessionView::SessionView(const Scene& scene, std::span<const HeightMap* const> m
     settings.method = scene.method.name;
     settings.parameters = scene.method.parameters;
     settings.path = options.path;
-    settings.light_ready = settings.picks_ready = options.for_window;
+    settings.ready = ready;
     renderer_ = std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours),
                                            told_to(advance, kOpeningStopped));
 }
@@ -85,7 +86,7 @@ Renderer& SessionView::compare_with(const Scene& scene, std::span<const HeightMa
     settings.method = method.name;
     settings.parameters = method.parameters;
     settings.path = path_;
-    settings.light_ready = static_cast<bool>(advance);
+    if (advance) settings.ready = renderer_->ready();
     second_ = std::make_unique<Renderer>(*context_, scene, views_of(maps), settings, colours_of(scene, colours),
                                          told_to(advance));
     return *second_;
@@ -128,6 +129,11 @@ void SessionView::change_both(const Advance& advance, const std::function<void(R
     }
 }
 
+void SessionView::make_ready(vulkan::Pass pass, const Advance& advance) {
+    change_both(
+        advance, [pass](Renderer& r, const WorkProgress& progress) { r.make_ready(pass, progress); }, [](Renderer&) {});
+}
+
 void SessionView::set_colours(const ColourView& colours, const Advance& advance) {
     change_both(
         advance, [&](Renderer& r, const WorkProgress& progress) { r.set_colours(0, colours, progress); },
@@ -135,8 +141,10 @@ void SessionView::set_colours(const ColourView& colours, const Advance& advance)
 }
 
 void SessionView::follow(SettingScope scope, const Scene& scene, const Advance& advance) {
-    follow_with(*renderer_, scope, scene, advance);
-    if (second_ && scope != SettingScope::method) follow_with(*second_, scope, scene, {});
+    const bool both = second_ && scope != SettingScope::method;
+    const double first = both ? 0.5 : 1;
+    follow_with(*renderer_, scope, scene, told_to(within(advance, 0, first)));
+    if (both) follow_with(*second_, scope, scene, told_to(within(advance, first, 1)));
 }
 
 void SessionView::set_heights(const Heights& wanted, const Heights& before, const Advance& advance) {

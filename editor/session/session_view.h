@@ -22,9 +22,9 @@ WorkProgress told_to(const Advance& advance, const std::string& stopped = kAllAs
 class SessionView {
   public:
     // `maps`: one a scene object, and `colours`: of objects[0], read during the call only. `scene` outlives
-    // the view. Throws as Renderer does. `advance` here and below: what it stops leaves both renderers as they were.
+    // the view. `ready`: as RenderSettings has it. Throws as Renderer does. `advance` here and below: what it stops leaves both renderers as they were.
     SessionView(const Scene& scene, std::span<const HeightMap* const> maps, const ColourView& colours,
-                const SessionOptions& options, const Advance& advance);
+                const SessionOptions& options, const std::vector<vulkan::Pass>& ready, const Advance& advance);
     ~SessionView();
 
     Renderer& renderer() { return *renderer_; }
@@ -32,6 +32,7 @@ class SessionView {
     Renderer& compare_with(const Scene& scene, std::span<const HeightMap* const> maps,
                            const ColourView& colours, const MethodChoice& method, const Advance& advance);
     void stop_comparing() { second_.reset(); }
+    void make_ready(vulkan::Pass pass, const Advance& advance);  // both
     vulkan::Context& context() { return *context_; }
 
     // Texels of objects[0] that changed. Fills upload_ms, bounds_ms and refit_ms, of both renderers together.

@@ -1,4 +1,4 @@
-// The passes (beauty, layers, pick, and the last two again with notes taken) of one method as pipelines over one descriptor set, traced any way.
+// The passes of one method as pipelines over one descriptor set, traced any way.
 #pragma once
 
 #include <array>
@@ -7,19 +7,11 @@
 #include <string_view>
 
 #include "renderer/trace_path.h"
+#include "renderer/vulkan/pass.h"
 #include "renderer/vulkan/programs.h"
 #include "shaders/shared.h"
 
 namespace relievo::vulkan {
-
-enum class Pass {
-    beauty,
-    aov,
-    pick,
-    counts,  // aov, counting what each pixel's ray costs
-    notes,   // pick of one ray, logged
-};
-constexpr std::size_t kPassCount = 5;
 
 class Passes {
   public:

@@ -12,6 +12,8 @@
 #include "brushes/map_file.h"
 
 #include "renderer/vulkan/commands.h"
+#include "renderer/vulkan/context.h"
+#include "renderer/vulkan/programs.h"
 #include "renderer/vulkan/resources.h"
 #include "tests/session/on_device.h"
 
@@ -148,6 +150,60 @@ TEST_F(Switching, StoppedOtherHeightsAreInNeitherPicture) {
     session.bake({96, 96});
     test::sculpt(session, 3);
     session.undo();
+}
+
+// Of lights and materials, only what needs another program takes long: the first light, the last gloss.
+TEST_F(Switching, AStoppedSettingIsInNeitherPicture) {
+    Session session(test::write_scene(folder_.path()), journaled());
+    second_ = &session.compare_with({"pdm", {{"dt", 0.1}}});
+    const auto rendered = picture(session.renderer());  // so that programs are in use
+    for (const char* key : {"environment.intensity", "material.specular"}) {
+        const bool lit = std::string(key) == "environment.intensity";
+        const double now = static_cast<double>(lit ? session.scene().environment.intensity
+                                                   : session.scene().objects[0].material.specular);
+        const double other = now > 0 ? 0 : 0.5;
+        expect_stopped(session, [&](const Advance& advance) { session.set(key, other, advance); });
+        std::vector<double> parts;
+        session.set(key, other, [&](double part) {
+            parts.push_back(part);
+            return true;
+        });
+        EXPECT_FALSE(parts.empty()) << key;
+        EXPECT_TRUE(std::ranges::is_sorted(parts)) << key;
+        EXPECT_NE(picture(session.renderer()), rendered) << key;
+        session.set(key, now);
+        EXPECT_EQ(picture(session.renderer()), rendered) << key;
+    }
+    expect_stopped(session, [&](const Advance& advance) { session.set("amplitude", 0.9, advance); });
+    session.set("amplitude", 0.9);
+    EXPECT_NE(picture(session.renderer()), rendered);
+    int told = 0;
+    session.set("material.roughness", 0.5, [&](double) { return ++told > 0; });
+    EXPECT_EQ(told, 0) << "nothing was compiled";
+}
+
+TEST_F(Switching, APassIsMadeReadyWithoutLosingSamples) {
+    Session session(test::write_scene(folder_.path()), on_device());
+    Renderer& first = session.renderer();
+    Renderer& second = session.compare_with({"pdm", {{"dt", 0.1}}});
+    first.render();
+    for (const vulkan::Pass pass : {vulkan::Pass::pick, vulkan::Pass::aov, vulkan::Pass::counts, vulkan::Pass::notes}) {
+        EXPECT_EQ(std::ranges::count(first.ready(), pass), 0);
+        EXPECT_THROW(session.make_ready(pass, [](double) { return false; }), Stopped);
+        EXPECT_EQ(std::ranges::count(first.ready(), pass), 0);
+        std::vector<double> parts;
+        session.make_ready(pass, [&](double part) {
+            parts.push_back(part);
+            return true;
+        });
+        EXPECT_EQ(parts.front(), 0);
+        EXPECT_EQ(parts.back(), 1);
+        for (Renderer* renderer : {&first, &second}) EXPECT_EQ(std::ranges::count(renderer->ready(), pass), 1);
+        const auto compiled = session.context().programs().compiled();
+        session.make_ready(pass, [](double) { return false; });
+        EXPECT_EQ(session.context().programs().compiled(), compiled);
+    }
+    EXPECT_EQ(first.samples(), 1);
 }
 
 }  // namespace
