@@ -78,7 +78,8 @@ fs::path Session::colour_path_for(const fs::path& map) const {
 fs::path Session::mask_path_for(const fs::path& map) const {
     const State& s = *state_;
     const fs::path beside = mask_path_beside(map);
-    if (s.is_own_map(map)) return s.mask_steps.unsaved() ? beside : fs::path();
+    if (s.mask_steps.unsaved()) return beside;  // one that protects nothing leaves no file, and is saved then
+    if (s.is_own_map(map)) return {};
     std::error_code ignored;
     return (mask() && protects_anything(*mask())) || fs::exists(beside, ignored) ? beside : fs::path();
 }

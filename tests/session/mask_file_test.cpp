@@ -131,6 +131,20 @@ TEST_F(MaskFile, WhatProtectsNothingLeavesNoFile) {
     EXPECT_FALSE(fs::exists(file_));
 }
 
+TEST_F(MaskFile, SaveAsLeavesNothingUnsavedWhereTheMaskProtectsNothingAnyMore) {
+    Session session(scene_, opening());
+    sculpt(session, 3, 6, Tool::mask);
+    session.save(at("map.tif"));
+    session.undo();
+    EXPECT_TRUE(session.unsaved());
+    session.save(at("other.png"));
+    EXPECT_FALSE(session.unsaved());
+    EXPECT_FALSE(fs::exists(at("other.png.mask.png")));
+    EXPECT_TRUE(fs::exists(file_)) << "of the map that it belongs to";
+    session.redo();
+    EXPECT_TRUE(session.unsaved());
+}
+
 TEST_F(MaskFile, SaveAsTakesTheMaskAlongAndLeavesNoOtherBesideTheNewMap) {
     Session session(scene_, opening());
     sculpt(session, 3, 6, Tool::mask);
