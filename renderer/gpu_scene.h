@@ -128,8 +128,9 @@ class GpuScene {
     MappedTriangle triangle_of(const gpu::Primitive& primitive) const;
     MapSurface surface_of(const Object& object) const;
     bool has_close_bounds(const Object& object) const;
-    void bound_closely(const gpu::Primitive& primitive);
-    bool bound_anew(Object& object, std::uint32_t face) const;  // after an edit; false: as before
+    // False: bounds are as before.
+    bool bound_closely(const gpu::Primitive& primitive);
+    bool bound_anew(Object& object, std::uint32_t face);  // after an edit
     MicroScene::Object micro_object(const Object& object) const;
     void write_primitives(std::span<const SurfaceHull> hulls);  // all of them
     void update_primitive(const Object& object, std::uint32_t face);  // bounds and box, after the range has changed

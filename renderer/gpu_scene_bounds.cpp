@@ -1,6 +1,7 @@
 // What bounds a GpuScene's triangles: their heights, boxes and hulls, as the method's hits want them.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "renderer/gpu_scene.h"
 #include "renderer/slant.h"
@@ -62,25 +63,22 @@ MapSurface GpuScene::surface_of(const Object& object) const {
     return {object.heights, *object.pyramid, object.amplitude, object.midlevel};
 }
 
-void GpuScene::bound_closely(const gpu::Primitive& p) {
+bool GpuScene::bound_closely(const gpu::Primitive& p) {
     Object& object = objects_[p.object];
-    if (has_close_bounds(object)) object.close[p.face] = close_bounds(triangle_of(p), surface_of(object));
+    if (!has_close_bounds(object)) return false;
+    const CloseBounds fresh = close_bounds(triangle_of(p), surface_of(object));
+    return std::exchange(object.close[p.face], fresh) != fresh;
 }
 
 // Bounds that shrank would still be true, but what rays meet must not depend, by a rounding, on what the map was before:
 // picks place dabs, and journals replay them.
-bool GpuScene::bound_anew(Object& object, std::uint32_t face) const {
+bool GpuScene::bound_anew(Object& object, std::uint32_t face) {
     bool moved = micro_.has_value();
     if (const DisplacementRange fresh = range_of(object, face); fresh != object.ranges[face]) {
         object.ranges[face] = fresh;
         moved = true;
     }
-    if (has_close_bounds(object)) {
-        const CloseBounds fresh = close_bounds(triangle_of(primitives_[object.primitive_of[face]]), surface_of(object));
-        moved = moved || fresh != object.close[face];
-        object.close[face] = fresh;
-    }
-    return moved;
+    return bound_closely(primitives_[object.primitive_of[face]]) || moved;
 }
 
 void GpuScene::write_primitives(std::span<const SurfaceHull> hulls) {

@@ -37,7 +37,6 @@ constexpr double kTurnMs = 34, kInputMs = 14, kLateInputMs = 26, kLateUs = 50e3,
 constexpr double kRestSeconds = 0.5, kAirbrushSeconds = 0.02;
 constexpr double kUnhurriedMs = 100;  // between frames that show nothing new but numbers
 constexpr double kMemoryMs = 20e3;   // between two times that free memory goes back
-constexpr double kWorkLookMs = 50;   // between looks of long work at what the user does
 constexpr int kClosingFrames = 2;
 constexpr int kSettleFrames = 3;
 
@@ -79,6 +78,8 @@ Departure App::run() {
     while (!desk_.departure) {
         wait_for_input();
         timed(times_.input_ms, [&] { handle_input(); });
+        do_work();
+        desk_.prepare_picture();
         do_work();
         if (window_->close_wanted() && !pointer_.stroke_ends()) {
             window_->refuse_close();
@@ -318,6 +319,7 @@ void App::do_work() {
     const std::uint64_t compiled_before = compiled();
     WorkPace pace;
     double look_ms = kUnseenWorkMs;
+    std::size_t waiting = 0;
     std::string trouble;
     try {
         work->run([&](double part) {
@@ -326,9 +328,14 @@ void App::do_work() {
             if (now_ms < look_ms && !(first && compiled() != compiled_before)) return true;
             look_ms = now_ms + kWorkLookMs;
             if (!first) {
-                if (!poll_behind_work() && !pace.due(now_ms)) return true;
+                if (!poll_behind_work(*window_, waiting) && !pace.due(now_ms)) return true;
             } else {
-                window_->poll();  // what was done before the work could be seen is still to come
+                // What was done before the work could be seen is still to come, but for an Esc, which is for the work.
+                window_->poll();
+                std::erase_if(window_->events(), [](const InputEvent& event) {
+                    return event.kind == InputEvent::Kind::key && event.code == GLFW_KEY_ESCAPE;
+                });
+                waiting = window_->events().size();
                 desk_.view.work = WorkShown{work->title};
             }
             desk_.view.work->part = part;
@@ -350,23 +357,6 @@ void App::do_work() {
     } else {
         toasts_.error(trouble);
     }
-}
-
-// Of what comes while the work covers the rest: that something was let go, and keys, which are for what comes. True where
-// it may be meant for the work, which the next frame tells.
-bool App::poll_behind_work() {
-    auto& events = window_->events();
-    const auto before = static_cast<std::ptrdiff_t>(events.size());
-    window_->poll();
-    const bool may_stop = std::any_of(events.begin() + before, events.end(), may_stop_work);
-    events.erase(std::remove_if(events.begin() + before, events.end(),
-                                [](const InputEvent& event) {
-                                    const bool key = event.kind == InputEvent::Kind::key;
-                                    const bool meant = key && event.code != GLFW_KEY_ESCAPE && !event.repeated;
-                                    return !meant && event.kind != InputEvent::Kind::release;
-                                }),
-                 events.end());
-    return may_stop;
 }
 
 // What is undone can be redone; a step that the undo memory does not hold can be neither.

@@ -45,7 +45,6 @@ class App {
     void tell_screenshots();
     void tell_step_not_held();
     void do_work();
-    bool poll_behind_work();
 
     Window* window_;
     Screen* screen_;

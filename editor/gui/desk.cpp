@@ -226,7 +226,6 @@ void Desk::pick_colour() {
 }
 
 void Desk::prepare_stroke(const Brush& brush, const std::function<void()>& then) {
-    const bool veiled = brush.tool == Tool::mask && live.view_shows_mask() && live.mask_shown();
     if (paints(brush) && !session.colours()) {
         work = LongWork{"Making a colour map",
                         [this](const Advance& advance) { session.make_colours(view.colour_bits, advance); },
@@ -234,13 +233,30 @@ void Desk::prepare_stroke(const Brush& brush, const std::function<void()>& then)
                             live.restart();
                             attempt(then);
                         }};
-    } else if (veiled && std::ranges::count(session.renderer().ready(), vulkan::Pass::aov) == 0) {
-        work = LongWork{"Preparing the picture",
-                        [this](const Advance& advance) { session.make_ready(vulkan::Pass::aov, advance); },
-                        [this, then] { attempt(then); }};
+    } else if (brush.tool == Tool::mask && unready_for_mask()) {
+        prepare_for_mask([this, then] { attempt(then); });
     } else {
         then();
     }
+}
+
+bool Desk::unready_for_mask() const {
+    if (!live.mask_shown() || !live.view_shows_mask()) return false;
+    const auto ready = session.renderer().ready();
+    return std::ranges::find(ready, vulkan::Pass::aov) == ready.end();
+}
+
+void Desk::prepare_for_mask(const std::function<void()>& then) {
+    work = LongWork{"Preparing the picture",
+                    [this](const Advance& advance) { session.make_ready(vulkan::Pass::aov, advance); }, then,
+                    [this](const std::string& trouble) {
+                        toasts.error(trouble);
+                        show_mask(false);
+                    }};
+}
+
+void Desk::prepare_picture() {
+    if (!work && !session.in_stroke() && session.mask() && unready_for_mask()) prepare_for_mask({});
 }
 
 void Desk::keep_colour(const Brush& brush) {

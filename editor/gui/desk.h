@@ -135,6 +135,8 @@ class Desk {
     // Before a stroke by that brush: what it still needs (a colour map, where it paints; where it masks, the program that
     // tells what the mask lies on) is made between two frames. `then`: what waits for it; else it comes at once.
     void prepare_stroke(const Brush& brush, const std::function<void()>& then);
+    // Between two frames, before the picture is traced: where there is a mask to be shown, what tells what it lies on.
+    void prepare_picture();
     void keep_colour(const Brush& brush);  // among the recent ones, where it paints with one
     void export_colours(const std::filesystem::path& path);
     void set_view(View view);
@@ -158,6 +160,8 @@ class Desk {
   private:
     void take_step(bool forth);
     void finish_work();
+    bool unready_for_mask() const;
+    void prepare_for_mask(const std::function<void()>& then);
     void turn_light(const glm::dmat3& turn);
     void tell_saved(const std::filesystem::path& path, const SaveWith& with);
     // Where the scene would be opened again without these files, one with them, among the recent ones.

@@ -1,14 +1,31 @@
 // See long_work.h.
 #include "editor/gui/long_work.h"
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
+
+#include <algorithm>
+#include <cstddef>
 
 #include "editor/gui/widgets.h"
 
 namespace relievo::gui {
 
-bool may_stop_work(const InputEvent& event) {
-    return event.kind != InputEvent::Kind::move && event.kind != InputEvent::Kind::scroll;
+bool poll_behind_work(Window& window, std::size_t kept) {
+    using Kind = InputEvent::Kind;
+    auto& events = window.events();
+    const auto place = [&](std::size_t index) { return events.begin() + static_cast<std::ptrdiff_t>(index); };
+    const std::size_t before = events.size();
+    window.poll();
+    const bool may_stop = std::any_of(place(before), events.end(), [](const InputEvent& event) {
+        return event.kind != Kind::move && event.kind != Kind::scroll;
+    });
+    const auto is_for_work = [](const InputEvent& event) {
+        const bool key = event.kind == Kind::key && event.code != GLFW_KEY_ESCAPE && !event.repeated;
+        return !key && event.kind != Kind::release;
+    };
+    events.erase(std::remove_if(place(kept), events.end(), is_for_work), events.end());
+    return may_stop;
 }
 
 void draw_long_work(std::optional<WorkShown>& work) {

@@ -27,8 +27,11 @@ struct WorkShown {
     bool stopped = false;  // the user wants it to end
 };
 
-// Of what the user does: only a frame can tell what it is meant for, and is drawn at once.
-bool may_stop_work(const InputEvent& event);
+constexpr double kWorkLookMs = 50;     // between two looks at what the user does meanwhile
+
+// Looks at that. Behind the first `kept` events of the window are left that something was let go, and keys, which are for
+// what comes. True where what is new may be meant for the work: only a frame can tell, and is drawn at once.
+bool poll_behind_work(Window& window, std::size_t kept);
 
 // Call it every frame, outside of any dialog.
 void draw_long_work(std::optional<WorkShown>& work);
