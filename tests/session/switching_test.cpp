@@ -155,7 +155,7 @@ TEST_F(Switching, StoppedOtherHeightsAreInNeitherPicture) {
 // Of lights and materials, only what needs another program takes long: the first light, the last gloss.
 TEST_F(Switching, AStoppedSettingIsInNeitherPicture) {
     Session session(test::write_scene(folder_.path()), journaled());
-    second_ = &session.compare_with({"pdm", {{"dt", 0.1}}});
+    second_ = &session.compare_with({"exact", {}});  // whose programs are the same
     const auto rendered = picture(session.renderer());  // so that programs are in use
     for (const char* key : {"environment.intensity", "material.specular"}) {
         const bool lit = std::string(key) == "environment.intensity";
@@ -185,7 +185,7 @@ TEST_F(Switching, AStoppedSettingIsInNeitherPicture) {
 TEST_F(Switching, APassIsMadeReadyWithoutLosingSamples) {
     Session session(test::write_scene(folder_.path()), on_device());
     Renderer& first = session.renderer();
-    Renderer& second = session.compare_with({"pdm", {{"dt", 0.1}}});
+    Renderer& second = session.compare_with({"exact", {}});
     first.render();
     for (const vulkan::Pass pass : {vulkan::Pass::pick, vulkan::Pass::aov, vulkan::Pass::counts, vulkan::Pass::notes}) {
         EXPECT_EQ(std::ranges::count(first.ready(), pass), 0);
