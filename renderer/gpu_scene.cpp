@@ -299,6 +299,7 @@ void GpuScene::set_displacement(std::size_t index, double amplitude, double midl
             if (moved % kTellAfter == 0) tell(moved, kBounded, kMoved);
             move(moved);
         }
+        part.at(kMoved, 1);
     } catch (...) {
         object.amplitude = amplitude_before;
         object.midlevel = midlevel_before;
@@ -308,7 +309,6 @@ void GpuScene::set_displacement(std::size_t index, double amplitude, double midl
         any_searched_ = searched_before;
         throw;
     }
-    part.at(kMoved, 1);
     gpu::ObjectData& data = object_data_.as<gpu::ObjectData>()[index];
     data.amplitude = static_cast<float>(amplitude);
     data.midlevel = static_cast<float>(midlevel);

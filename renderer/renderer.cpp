@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "renderer/give_memory_back.h"
 #include "renderer/renderer_state.h"
 #include "renderer/stopwatch.h"
 #include "renderer/view.h"
@@ -46,6 +47,7 @@ void dispatch_first(Renderer& renderer, const PassList& compiled) {
                 renderer.trace_notes(ray);
                 break;
         }
+        give_memory_back();
     }
 }
 

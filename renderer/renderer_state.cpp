@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "renderer/bindings.h"
+#include "renderer/give_memory_back.h"
 #include "renderer/view.h"
 #include "renderer/vulkan/functions.h"
 
@@ -145,6 +146,7 @@ vulkan::Passes Renderer::State::make_passes(const Method& of, const Features& by
     for (std::size_t i = 0; i < compiled.size(); ++i) {
         part.at(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
         made.make(compiled[i]);
+        give_memory_back();
     }
     return made;
 }

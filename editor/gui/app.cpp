@@ -4,10 +4,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -23,6 +19,7 @@
 #include "editor/session/derived_scene.h"
 #include "editor/session/image_file.h"
 #include "editor/session/preferences.h"
+#include "renderer/give_memory_back.h"
 #include "renderer/stopwatch.h"
 #include "renderer/vulkan/programs.h"
 
@@ -135,16 +132,12 @@ void App::draw() {
     if (std::exchange(desk_.view.screenshot_wanted, false)) screenshots_.take(screen_->screenshot(), {});
 }
 
-// A compiler takes a hundred megabytes for a moment, in small pieces. What it leaves between those that stay, the C
-// library keeps by itself, and whatever comes and goes later wanders all over it: after an hour that was as much as all
-// that was in use. To look for it takes some milliseconds, so it is done now and then.
+// After each compiler, and now and then.
 void App::give_memory_back() {
     const std::uint64_t compiled = desk_.session.context().programs().compiled();
     if (compiled == programs_seen_ && (pointer_.in_stroke() || ms_since(memory_given_) < kMemoryMs)) return;
     programs_seen_ = compiled;
-#ifdef __GLIBC__
-    malloc_trim(0);
-#endif
+    relievo::give_memory_back();
     memory_given_ = Clock::now();
 }
 

@@ -50,7 +50,7 @@ void Desk::set(const std::string& key, const SetValue& value) {
     const auto* name = std::get_if<std::string>(&value);
     const std::string method = of_method && name ? *name : session.scene().method.name;
     attempt([&] {
-        finish_work();
+        if (!view.work) finish_work();
         work = LongWork{of_method    ? preparing(method)
                         : of_heights ? "Changing the heights"
                                      : "Preparing the picture",

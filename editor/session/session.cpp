@@ -8,6 +8,35 @@
 #include "editor/session/settings.h"
 
 namespace relievo {
+namespace {
+
+// What a setting changes that the renderers may then refuse, or be stopped at.
+class SettingsBefore {
+  public:
+    explicit SettingsBefore(const Scene& scene)
+        : method_(scene.method), lights_(scene.lights), environment_(scene.environment),
+          material_(scene.objects.front().material), amplitude_(scene.objects.front().displacement.amplitude),
+          midlevel_(scene.objects.front().displacement.midlevel) {}
+
+    void put_back(Scene& scene) const {
+        scene.method = method_;
+        scene.lights = lights_;
+        scene.environment = environment_;
+        SceneObject& object = scene.objects.front();
+        object.material = material_;
+        object.displacement.amplitude = amplitude_;
+        object.displacement.midlevel = midlevel_;
+    }
+
+  private:
+    MethodChoice method_;
+    std::vector<Light> lights_;
+    Environment environment_;
+    Material material_;
+    double amplitude_, midlevel_;
+};
+
+}  // namespace
 
 Session::Session(const fs::path& scene_file, const SessionOptions& options)
     : state_(std::make_unique<State>(scene_file, options)) {}
@@ -142,36 +171,6 @@ void Session::change_mask(MaskCommand command, const Advance& advance) {
     if (s.sculptor->steps_made() > steps_before) s.add_step(false, false, true);
     s.recorder->record(MaskOp{command});
 }
-
-namespace {
-
-// What a setting changes that the renderers may then refuse, or be stopped at.
-class SettingsBefore {
-  public:
-    explicit SettingsBefore(const Scene& scene)
-        : method_(scene.method), lights_(scene.lights), environment_(scene.environment),
-          material_(scene.objects.front().material), amplitude_(scene.objects.front().displacement.amplitude),
-          midlevel_(scene.objects.front().displacement.midlevel) {}
-
-    void put_back(Scene& scene) const {
-        scene.method = method_;
-        scene.lights = lights_;
-        scene.environment = environment_;
-        SceneObject& object = scene.objects.front();
-        object.material = material_;
-        object.displacement.amplitude = amplitude_;
-        object.displacement.midlevel = midlevel_;
-    }
-
-  private:
-    MethodChoice method_;
-    std::vector<Light> lights_;
-    Environment environment_;
-    Material material_;
-    double amplitude_, midlevel_;
-};
-
-}  // namespace
 
 void Session::State::follow(SettingScope scope, const Advance& advance) {
     if (scope == SettingScope::displacement)

@@ -22,7 +22,8 @@ WorkProgress told_to(const Advance& advance, const std::string& stopped = kAllAs
 class SessionView {
   public:
     // `maps`: one a scene object, and `colours`: of objects[0], read during the call only. `scene` outlives
-    // the view. `ready`: as RenderSettings has it. Throws as Renderer does. `advance` here and below: what it stops leaves both renderers as they were.
+    // the view. `ready`: as RenderSettings has it. Throws as Renderer does. `advance` here and below: what it stops leaves
+    // both renderers as they were.
     SessionView(const Scene& scene, std::span<const HeightMap* const> maps, const ColourView& colours,
                 const SessionOptions& options, const std::vector<vulkan::Pass>& ready, const Advance& advance);
     ~SessionView();

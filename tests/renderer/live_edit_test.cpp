@@ -72,6 +72,26 @@ TEST_P(LiveEdit, AmplitudeAndMidlevelChangeLive) {
     EXPECT_EQ(live.read_back(Layer::depth), depth_of(large, map, settings_of(large)));
 }
 
+// So many triangles that it is stopped on its way.
+TEST(LiveEditOfADenseMesh, AStoppedAmplitudeLeavesAllAsItWas) {
+    struct Stop {};
+    const TestMap map = bumps(128);
+    const auto scene_of = [](double amplitude, double midlevel) {
+        Scene scene = make_scene(ball_mesh(160, 80), amplitude, midlevel);
+        scene.method.name = "exact";
+        return scene;
+    };
+    const Scene scene = scene_of(0.1, 0.5), wanted = scene_of(-0.4, 0.2);
+    Renderer live = make_renderer(scene, map, settings_of(scene));
+    const auto before = live.read_back(Layer::depth);
+    for (const double last : {0.0, 0.1, 0.4, 0.65, 0.8, 0.95, 1.0}) {
+        EXPECT_THROW(live.set_displacement(0, -0.4, 0.2, [&](double part) { if (part >= last) throw Stop(); }), Stop);
+        EXPECT_EQ(live.read_back(Layer::depth), before) << last;
+    }
+    live.set_displacement(0, -0.4, 0.2, [](double) {});
+    EXPECT_EQ(live.read_back(Layer::depth), depth_of(wanted, map, settings_of(wanted)));
+}
+
 TEST_P(LiveEdit, OnlyTheWindowLosesItsSamples) {
     const Scene scene = make_scene(plane_mesh(), 0.2);
     const TestMap map = bumps(64);
