@@ -216,4 +216,40 @@ void GpuScene::upload_texels(Object& object, const HeightView& map, std::span<co
     });
 }
 
+std::uint64_t GpuScene::map_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Object& o : objects_) sum += o.map->bytes();
+    return sum;
+}
+
+std::uint64_t GpuScene::procedural_bytes() const {
+    std::uint64_t sum = procedural_.bytes();
+    for (const Object& o : objects_) sum += o.inverse.bytes();
+    return sum;
+}
+
+std::uint64_t GpuScene::pyramid_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Object& o : objects_) sum += o.has_pyramid ? o.pyramid_image->bytes() : 0;
+    return sum;
+}
+
+std::uint64_t GpuScene::slab_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Object& o : objects_) sum += o.has_slabs ? o.slab_image->bytes() : 0;
+    return sum;
+}
+
+std::uint64_t GpuScene::albedo_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Object& o : objects_) sum += o.albedo->bytes();
+    return sum;
+}
+
+std::uint64_t GpuScene::opacity_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Object& o : objects_) sum += o.opacity->bytes();
+    return sum;
+}
+
 }  // namespace relievo
